@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <limits>
 #include <numbers>
 
@@ -14,6 +15,7 @@ namespace {
 
 constexpr double kTwoPi = 2.0 * std::numbers::pi;
 constexpr double kWidthOfAValue = 1e-9;  // relative, of the bounds of |f_max| at one frequency
+constexpr double kWidthOfADampedValue = 1e-8;
 
 }  // namespace
 
@@ -21,33 +23,51 @@ BandMaximum::BandMaximum(const data::Beam& beam, const FrequencyBand& band, doub
     : BandMaximum(modal_reaction(beam, modes), band, duration) {}
 
 BandMaximum::BandMaximum(const ModalReaction& reaction, const FrequencyBand& band, double duration)
-    : reaction_(reaction), duration_(duration), best_omega_(kTwoPi * band.from_hz) {
+    : reaction_(reaction), duration_(duration) {
+  std::vector<double> natural;
+  for (const ModalForce& mode : reaction_.modes) natural.push_back(mode.angular_frequency);
+  divide(band, natural);
+}
+
+BandMaximum::BandMaximum(const DampedReaction& reaction, const FrequencyBand& band, double duration,
+                         DampedForcePart part)
+    : damped_(reaction), part_(part), duration_(duration) {
+  std::vector<double> natural;
+  for (const auto& share : damped_->shares) natural.push_back(std::abs(share.eigenvalue));
+  std::ranges::sort(natural);
+  divide(band, natural);
+}
+
+void BandMaximum::divide(const FrequencyBand& band, const std::vector<double>& natural) {
   require(band.from_hz > 0.0, "band.from_hz", band.from_hz, "positive");
   require(band.to_hz >= band.from_hz && std::isfinite(band.to_hz), "band.to_hz", band.to_hz,
           "finite and not below band.from_hz");
-  require_positive("excitation.duration", duration);
-  const double from = kTwoPi * band.from_hz, to = kTwoPi * band.to_hz;
+  require_positive("excitation.duration", duration_);
+  const double from = best_omega_ = kTwoPi * band.from_hz, to = kTwoPi * band.to_hz;
   marks_.push_back(from);
-  for (const ModalForce& mode : reaction_.modes)
-    if (from < mode.angular_frequency && mode.angular_frequency < to)
-      marks_.push_back(mode.angular_frequency);
+  for (const double omega : natural)
+    if (from < omega && omega < to) marks_.push_back(omega);
   marks_.push_back(to);
   for (std::size_t i = 1; i < marks_.size(); ++i) add(marks_[i - 1], marks_[i]);
 }
 
-/// A frequency, and what is known of the largest |f| there.
-struct BandMaximum::Decided {
-  double omega{};
-  ForceMaximum force;
-  double exceeded = 0.0;                                  // the largest limit that it is known to exceed
-  double kept = std::numeric_limits<double>::infinity();  // the smallest that it is known not to
-  [[nodiscard]] bool exceeds(double limit) {
-    if (limit <= exceeded || limit >= kept) return limit <= exceeded;
-    const bool above = force.exceeds(limit);
-    (above ? exceeded : kept) = limit;
-    return above;
-  }
-};
+BandMaximum::Decided BandMaximum::force_at(double omega) const {
+  if (!damped_) return {.omega = omega, .force = ForceMaximum(reaction_, omega, duration_)};
+  const DampedForce force(*damped_, omega, duration_ * marks_.back() / omega);
+  if (part_ == DampedForcePart::start_up)
+    return {.omega = omega, .force = {}, .known = force.refined_to(kWidthOfADampedValue)};
+  return {.omega = omega, .force = {}, .known = {force.steady_amplitude(), force.steady_amplitude()}};
+}
+
+bool BandMaximum::Decided::exceeds(double limit) {
+  if (limit < known.lower || limit >= known.upper || !force) return known.upper > limit;
+  const bool above = force->exceeds(limit);
+  (above ? known.lower : known.upper) =
+      above ? std::nextafter(limit, std::numeric_limits<double>::infinity()) : limit;
+  return above;
+}
+
+Bounds BandMaximum::Decided::refined() const { return force ? force->refined_to(kWidthOfAValue) : known; }
 
 bool BandMaximum::exceeds(double limit) {
   constexpr int most_halvings = 8;
@@ -57,7 +77,7 @@ bool BandMaximum::exceeds(double limit) {
   if (sticks) return false;
   std::vector<Decided> ends;
   for (const double omega : marks_) {
-    ends.push_back({omega, ForceMaximum(reaction_, omega, duration_)});
+    ends.push_back(force_at(omega));
     if (ends.back().exceeds(limit)) return true;
   }
   for (std::size_t i = 1; i < ends.size(); ++i)
@@ -75,7 +95,7 @@ bool BandMaximum::rises_above(Decided& from, Decided& to, double limit) const {
   if (enough > 0.0 && !from.exceeds(enough) && !to.exceeds(enough)) return false;
   if (excess <= undecided * limit) return true;
   const double omega = from.omega + 0.5 * width;
-  Decided middle{omega, ForceMaximum(reaction_, omega, duration_)};
+  Decided middle = force_at(omega);
   return middle.exceeds(limit) || rises_above(from, middle, limit) || rises_above(middle, to, limit);
 }
 
@@ -128,7 +148,7 @@ void BandMaximum::sharpen(const Interval& interval) {
 
 double BandMaximum::upper_value(double omega) {
   if (const auto known = values_.find(omega); known != values_.end()) return known->second;
-  const Bounds value = ForceMaximum(reaction_, omega, duration_).refined_to(kWidthOfAValue);
+  const Bounds value = force_at(omega).refined();
   if (value.lower > lower_) {
     lower_ = value.lower;
     best_omega_ = omega;
@@ -137,6 +157,7 @@ double BandMaximum::upper_value(double omega) {
 }
 
 BandMaximum::Suprema BandMaximum::between(double from, double to) const {
+  if (damped_) return damped_between(from, to);
   const double t = duration_, a = from, b = to, middle = 0.5 * (a + b);
   double steady = reaction_.quasi_static;        // amplitude at Ω in the middle, of the modes apart
   double steady_slope = 0.0, steady_bend = 0.0;  // sums of |c p'| and |c p''|
@@ -162,6 +183,42 @@ BandMaximum::Suprema BandMaximum::between(double from, double to) const {
   const double amplitude = std::abs(steady) + 0.5 * (b - a) * steady_slope;
   sum.force += amplitude;
   sum.curvature += t * t * amplitude + 2.0 * t * steady_slope + steady_bend;
+  return sum;
+}
+
+BandMaximum::Suprema BandMaximum::damped_between(double from, double to) const {
+  using Complex = std::complex<double>;
+  constexpr double e = std::numbers::e;
+  const double b = to, middle = 0.5 * (from + to);
+  const Complex i(0.0, 1.0);
+  Complex steady = -i * (damped_->quasi_static + damped_->inertia * middle * middle) + damped_->rate * middle;
+  double slope = 2.0 * std::abs(damped_->inertia) * b + std::abs(damped_->rate);
+  double bend = 2.0 * std::abs(damped_->inertia);
+  Suprema sum;
+  for (const auto& [eigenvalue, sine, cosine, start] : damped_->shares) {
+    const double u = std::abs(sine), v = std::abs(cosine), decay = -eigenvalue.real();
+    const double p = 0.5 * b * (v + b * u), p1 = 0.5 * v + b * u, p2 = u;  // |P| and its derivatives
+    double value = 0.0, value1 = 0.0, value2 = 0.0;                        // of P/(±i Ω - λ)
+    for (const double sign : {1.0, -1.0}) {
+      const double natural = sign * eigenvalue.imag();
+      const double d = std::hypot(decay, std::max({0.0, from - natural, natural - to}));
+      value += p / d;
+      value1 += p1 / d + p / (d * d);
+      value2 += p2 / d + 2.0 * p1 / (d * d) + 2.0 * p / (d * d * d);
+      const Complex share =
+          0.5 * middle * (cosine - sign * i * middle * sine) / (sign * i * middle - eigenvalue);
+      steady += sign > 0.0 ? share : std::conj(share);
+    }
+    slope += value1;
+    bend += value2;
+    if (part_ == DampedForcePart::steady) continue;
+    const double ratio = std::abs(eigenvalue) / decay;
+    sum.force += value;
+    sum.curvature += value2 + 2.0 * value1 * ratio / (e * from) +
+                     value * (4.0 * ratio * ratio / e + 2.0 * ratio) / (e * from * from);
+  }
+  sum.force += std::abs(steady) + 0.5 * (to - from) * slope;
+  sum.curvature += bend;
   return sum;
 }
 

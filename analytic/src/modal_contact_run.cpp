@@ -67,6 +67,7 @@ ModalContactRun::ModalContactRun(const ContactModes& modes, const ContactModel& 
   const std::size_t half = model.modes() + 1;
   const std::vector<double> by_force = accelerations(dynamics, 0.0, 1.0),
                             by_load = accelerations(dynamics, 1.0, 0.0);
+  free_step_ = h * by_force.back();
   for (std::size_t k = 0; k < modes.eigenvalue_.size(); ++k) {
     Complex force, load;  // g_k, b_k
     for (std::size_t n = 0; n < half; ++n) {
@@ -148,7 +149,7 @@ void ModalContactRun::start(const ContactKinematics& state) {
   }
   for (const Drive& steady : steady_) free_velocity_ += add(steady.mode, -steady.cosine);
   steps_ = phase_ = 0;
-  friction_force_ = force_before_ = 0.0;
+  friction_force_ = force_before_ = change_ = change_before_ = 0.0;
   const double wall = model_.wall_amplitude * model_.load_angular_frequency;
   sliding_velocity_ = state.velocity - wall;
   if (std::abs(sliding_velocity_) <= 4.0 * std::numeric_limits<double>::epsilon() * std::abs(wall))
@@ -230,6 +231,7 @@ ModalContactRun::Slip ModalContactRun::slip(double free_speed, double speed_befo
 // which on friction acts the other way, if that does not hold the contact.
 bool ModalContactRun::turns_round(double free_velocity, double further) {
   if (std::abs(free_velocity - sliding_velocity_) <= weight_ * held_) return false;
+  may_hide_stick_ = std::abs(change_) - std::abs(change_ - change_before_) <= 2.0 * held_ * free_step_;
   const double direction = std::copysign(1.0, sliding_velocity_), speed = std::abs(sliding_velocity_);
   const double share = speed / (speed - further);
   friction_force_ = -direction * (2.0 * share - 1.0) * (kinetic_ + falling_);
@@ -265,7 +267,11 @@ void ModalContactRun::decide(double free_velocity) {
 }
 
 void ModalContactRun::step() {
+  const double before = sliding_velocity_;
+  may_hide_stick_ = false;
   decide(free_velocity_);
+  change_before_ = change_;
+  change_ = sliding_velocity_ - before;
   advance(friction_force_ + model_.contact_force);
 }
 

@@ -398,9 +398,11 @@ PeriodicSearch self_excited_motion(const ContactModel& model, double settle, dou
     const ContactStart& start = crossings.front().after;
     if (start.phase == data::ContactState::stick) return {{}, NoMotion::unsettled};
     const double period = crossings[cycles].time - crossings.front().time;
-    const PoincareImage image = poincare_map(model, start, period);
-    const double miss = std::abs(image.end.kinematics.displacement - start.kinematics.displacement) +
-                        sample * std::abs(image.end.kinematics.velocity - start.kinematics.velocity);
+    EventDriven once(model);
+    analytic::start(once, model, start);
+    once.advance_to(period);
+    const double miss = std::abs(once.contact_displacement() - start.kinematics.displacement) +
+                        sample * std::abs(once.contact_velocity() - start.kinematics.velocity);
     if (miss > 0.05 * std::abs(model.wall_speed) * period) continue;
     if (auto motion = Shooting(model, start, period, true).run()) return {motion, {}};
   }

@@ -113,14 +113,6 @@ data::Override override_with(const std::string& key, double value, const std::st
   return {key, data::shortest_text(value), option};
 }
 
-void require_undamped(const data::Case& problem, std::string_view what) {
-  if (!studies::is_damped(problem)) return;
-  const bool viscous = problem.damping.kelvin_voigt() > 0.0;
-  throw data::FieldError(viscous ? "damping.kelvin_voigt" : "damping.ratio",
-                         viscous ? problem.damping.kelvin_voigt() : problem.damping.ratio(),
-                         fmt::format("0 for {}: Eq. (26) is that of the undamped beam; respond --method fe "
-                                     "follows the damped one",
-                                     what));
 }
 
 std::vector<std::string> sentences_of(const std::vector<studies::Warning>& warnings) {

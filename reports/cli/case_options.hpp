@@ -77,9 +77,6 @@ void require_no_fixed_value(const ExcitationOptions& excitation, std::string_vie
 /// What an option of its own sets a key to.
 [[nodiscard]] data::Override override_with(const std::string& key, double value, const std::string& option);
 
-/// Throws data::InputError, naming the damping, if the case has any; `what` needs it to have none.
-void require_undamped(const data::Case& problem, std::string_view what);
-
 [[nodiscard]] std::vector<std::string> sentences_of(const std::vector<studies::Warning>& warnings);
 
 /// The sentences of studies::problem_warnings().

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -47,26 +48,32 @@ void add_criteria(Answer& answer, const data::Case& problem, const studies::Crit
                       {"margin", has_margin ? between(studies::margin_of(found.all_modes)).json : Json()}});
 }
 
-void add_steady_state(Answer& answer, const std::optional<studies::SteadyState>& steady) {
+void add_steady_state(Answer& answer, const std::optional<studies::SteadyState>& steady, double duration) {
   if (!steady) {
-    answer.add_row("steady |f| / N", {"", "none, it grows all the time"});
+    answer.add_row("steady |f| / N", {"", "none at a natural frequency"});
     answer.add_members({{"steady", nullptr}});
     return;
   }
   const Value force = rounded(steady->force, 7), verdict = word(to_string(steady->verdict));
-  answer.add_row("steady |f| / N", {"", force.text});
+  answer.add_row("steady |f| / N",
+                 {"", steady->reached ? force.text
+                                      : fmt::format("{}, not reached within {} s", force.text,
+                                                    data::shortest_text(duration))});
   answer.add_row("verdict, steady", {"", verdict.text});
   answer.add_members({{"steady",
                        {{"force_N", force.json},
+                        {"reached", steady->reached},
                         {"critical_amplitude_m", steady->critical_amplitude},
                         {"verdict", verdict.json}}}});
 }
 
 void add_outlook(Answer& answer, const studies::CriterionAnswer& found) {
-  const auto& [mode, hz] = found.next;
-  answer.add_row({"next natural frequency / Hz",
-                  "next_natural_frequency",
-                  {{{"mode", mode}, {"frequency_hz", hz}}, fmt::format("{:.7g} (mode {})", hz, mode)}});
+  const auto& [mode, hz, distance] = found.nearest;
+  answer.add_row({"nearest natural freq. / Hz",
+                  "nearest_natural_frequency",
+                  {{{"mode", mode}, {"frequency_hz", hz}, {"relative_distance", distance}},
+                   fmt::format("{:.7g} (mode {}), {:.2g} % {}", hz, mode, 100.0 * std::abs(distance),
+                               distance < 0.0 ? "below" : "above")}});
   if (const auto& best = found.best_change)
     answer.add_row({"best change by a tenth",
                     "best_change",
@@ -90,7 +97,7 @@ Answer answer_of(const data::Case& problem, const studies::CriterionAnswer& foun
           {{"kelvin_voigt_s", problem.damping.kelvin_voigt()}, {"ratio", problem.damping.ratio()}}}});
   answer.add_line(conditions_of(problem) + (is_damped ? ", with damping\n" : "\n"));
   add_criteria(answer, problem, found);
-  add_steady_state(answer, found.steady);
+  add_steady_state(answer, found.steady, problem.numerics.duration());
   add_outlook(answer, found);
   answer.add_line(fmt::format("\nThe largest |f| is that of a start-up {}.",
                               is_damped ? "whose free vibrations decay with the damping of the case"

@@ -75,22 +75,23 @@ data::Case at_the_end_of(const data::Case& problem, const studies::ParameterRang
   return end;
 }
 
-std::string reason_for(const studies::DesignInterval& interval) {
+std::string reason_for(const studies::DesignInterval& interval, bool is_one_frequency) {
   if (interval.buckled) return "no stick state: P is at the buckling load 20.19 EI/L^2 or over it";
   if (interval.sticks) return "sticks";
   if (interval.resonances.empty()) return "slips, without a natural frequency in the band";
-  return fmt::format("slips: natural frequency {} in the band", fmt::join(interval.resonances, ", "));
+  return fmt::format("slips: natural frequency {} {}", fmt::join(interval.resonances, ", "),
+                     is_one_frequency ? "passes" : "in the band");
 }
 
 void add_scan(Answer& answer, const std::string& title, const std::string& key,
-              const studies::DesignScan& scan) {
+              const studies::DesignScan& scan, bool is_one_frequency) {
   const int decimals = std::max(0, static_cast<int>(std::ceil(-std::log10(scan.accuracy))));
   answer.add_line(fmt::format("\n{}, ends to {}", title, significant(scan.accuracy, 2)));
   Json intervals = Json::array();
   for (const auto& interval : scan.intervals) {
     answer.add_line(fmt::format("{:<28}{}",
                                 fmt::format("{1:.{0}f} ... {2:.{0}f}", decimals, interval.from, interval.to),
-                                reason_for(interval)));
+                                reason_for(interval, is_one_frequency)));
     intervals.push_back({{"from", interval.from},
                          {"to", interval.to},
                          {"state", interval.buckled  ? "no stick state"
@@ -111,7 +112,7 @@ Value resonances_of(const std::vector<studies::Resonance>& resonances) {
 }
 
 Answer answer_of(const data::Case& problem, const studies::Design& design) {
-  const auto& [force, limit, margin_bounds, worst_hz, evaluations, resonances] = design.margin;
+  const auto& [force, limit, margin_bounds, worst_hz, evaluations, resonances, steady_margin] = design.margin;
   Answer answer(34);
   answer.add_members({{"case", problem.name},
                       {"band_hz", {design.band.from_hz, design.band.to_hz}},
@@ -121,19 +122,25 @@ Answer answer_of(const data::Case& problem, const studies::Design& design) {
   const std::string band = fmt::format("{} to {}", data::shortest_text(design.band.from_hz),
                                        data::shortest_text(design.band.to_hz));
   answer.add_line(fmt::format("{}, N = {}\n", conditions_of(problem, band), problem.numerics.modes()));
-  Value margin = between(margin_bounds);
-  margin.text += margin_bounds.lower < 1.0 ? ": slips" : ": sticks";  // on the safe side
-  answer.add_row({"smallest margin mu_s P/|f_max|", "margin", margin});
+  const auto judged = [](const analytic::Bounds& bounds) {
+    Value margin = between(bounds);
+    margin.text += bounds.lower < 1.0 ? ": slips" : ": sticks";  // on the safe side
+    return margin;
+  };
+  answer.add_row({"smallest margin mu_s P/|f_max|", "margin", judged(margin_bounds)});
+  if (studies::is_damped(problem))
+    answer.add_row({"smallest margin, steady", "steady_margin", judged(steady_margin)});
   answer.add_row({"at / Hz", "frequency_hz", {worst_hz, significant(worst_hz, 7)}});
   answer.add_row({"largest |f| / N", "force_max_N", between(force)});
   answer.add_row({"friction limit mu_s P / N", "friction_limit_N", exact(limit)});
   answer.add_members({{"evaluations", evaluations}});
   answer.add_row(
       {"natural frequencies in the band", "natural_frequencies_in_band", resonances_of(resonances)});
+  const bool is_one_frequency = design.band.from_hz == design.band.to_hz;
   add_scan(answer, fmt::format("length / m at P = {} N", data::shortest_text(problem.beam.axial_force())),
-           "lengths_m", design.lengths);
+           "lengths_m", design.lengths, is_one_frequency);
   add_scan(answer, fmt::format("axial force / N at L = {} m", data::shortest_text(problem.beam.length())),
-           "axial_forces_N", design.forces);
+           "axial_forces_N", design.forces, is_one_frequency);
   answer.add_line(fmt::format("\n{}", guarantee));
   return answer;
 }
@@ -142,7 +149,6 @@ Answer design(const DesignOptions& options, Outputs& outputs) {
   const ExcitationOptions excitation{.frequency_hz = {}, .amplitude = options.amplitude};
   data::Case problem = load_case(options.problem, excitation, options.duration);
   data::require_rigid(problem.contact, "the design guide, whose tip is held; respond takes it");
-  require_undamped(problem, "the design guide");
   analytic::require_contact(problem.beam);
   const Ranges ranges = ranges_of(problem, options);
   problem.numerics = numerics_up_to(ranges.band.to, options.problem, excitation, options.duration);

@@ -24,12 +24,13 @@ struct PeriodicOptions {
 };
 
 // In the order of analytic::NoMotion.
-constexpr std::array<std::string_view, 3> reasons{
-    "the tip sticks", "the tip slides steadily",
-    "no periodic motion is found; a longer --settle or more --periods may help"};
+constexpr std::array<std::string_view, 3> reasons{"the tip sticks", "the tip slides steadily",
+                                                  "no periodic motion is found; a longer --settle may help"};
 
-std::string_view reason_of(const studies::Cycle& cycle) {
-  return reasons.at(static_cast<std::size_t>(cycle.search.reason));
+std::string reason_of(const studies::Cycle& cycle) {
+  std::string reason(reasons.at(static_cast<std::size_t>(cycle.search.reason)));
+  if (cycle.forced && cycle.search.reason == analytic::NoMotion::unsettled) reason += ", or more --periods";
+  return reason;
 }
 
 std::vector<LabelledValue> rows_of(const studies::Cycle& cycle) {

@@ -2,6 +2,7 @@
 #include "program.hpp"
 
 #include <fmt/format.h>
+#include <sched.h>
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
@@ -13,6 +14,7 @@
 #include "output_file.hpp"
 #include "stickslip/data/input_error.hpp"
 #include "stickslip/version.hpp"
+#include "studies/common/parallel.hpp"
 
 namespace stickslip::cli {
 
@@ -27,7 +29,15 @@ void add_commands(CLI::App& app) {
   add_examples(app, {"stickslip criterion steel-strip", "stickslip criterion --help"});
 }
 
+// Those that the process may use, by taskset or a scheduler of jobs; nothing is known of more than 1024.
+void use_allowed_processors() {
+  cpu_set_t allowed;
+  if (sched_getaffinity(0, sizeof allowed, &allowed) == 0)
+    studies::set_thread_count(static_cast<unsigned>(CPU_COUNT(&allowed)));
+}
+
 int run(int argc, const char* const* argv) {
+  use_allowed_processors();
   CLI::App app("Friction-driven vibration of beams, in closed form and by finite elements", "stickslip");
   add_commands(app);
   try {

@@ -32,7 +32,7 @@ struct SquealOptions {
 };
 
 Value growth_of(const std::optional<std::complex<double>>& root) {
-  if (!root) return {nullptr, "none"};
+  if (!root) return {nullptr, "real root"};
   return {{{"growth_per_s", root->real()}, {"frequency_hz", root->imag() / (2.0 * std::numbers::pi)}},
           fmt::format("{:.6g}", root->real())};
 }
@@ -66,6 +66,28 @@ Table table_of(const std::vector<studies::SquealMode>& modes) {
   return table;
 }
 
+void add_verdict(Answer& answer, const studies::Squeal& squeal) {
+  const std::string verdict = squeal.is_stable() ? "stable" : "unstable";
+  const Value fastest = growth_of(squeal.fastest);
+  answer.add_members({{"fastest", fastest.json},
+                      {"diverges", squeal.diverges()},
+                      {"resolved_modes", squeal.resolved_modes},
+                      {"resolved_hz", squeal.resolved_hz},
+                      {"unresolved_mode_grows", squeal.unresolved_mode_grows},
+                      {"verdict", verdict}});
+  answer.text += "\nsteady sliding is " + verdict;
+  if (squeal.diverges())
+    answer.text += fmt::format(": the tip runs away by {} 1/s without vibration (divergence)", fastest.text);
+  else if (!squeal.is_stable())
+    answer.text += fmt::format(": {:.6g} Hz grows by {} 1/s",
+                               squeal.fastest.imag() / (2.0 * std::numbers::pi), fastest.text);
+  answer.add_line(fmt::format("\njudged: the {} modes up to {:.3g} Hz, which the mesh has to 1 %{}",
+                              squeal.resolved_modes, squeal.resolved_hz,
+                              squeal.unresolved_mode_grows
+                                  ? "; above it modes of the mesh grow, which are not those of the beam"
+                                  : ""));
+}
+
 Answer answer_of(const data::Case& problem, const studies::Squeal& squeal, const studies::Cycle& cycle) {
   Answer answer(34);
   const Value mesh = rounded(squeal.finite_element_displacement, 7),
@@ -81,14 +103,7 @@ Answer answer_of(const data::Case& problem, const studies::Squeal& squeal, const
   answer.add_line();
   answer.add_table("modes", table_of(squeal.modes));
 
-  const std::string verdict = squeal.is_stable() ? "stable" : "unstable";
-  const Value fastest = growth_of(squeal.fastest);
-  answer.add_members({{"fastest", fastest.json}, {"verdict", verdict}});
-  answer.add_line(fmt::format(
-      "\nsteady sliding is {}{}", verdict,
-      squeal.is_stable() ? ""
-                         : fmt::format(": {:.6g} Hz grows by {} 1/s",
-                                       squeal.fastest.imag() / (2.0 * std::numbers::pi), fastest.text)));
+  add_verdict(answer, squeal);
   answer.text += "from rest on the wall: ";
   add_cycle(answer, cycle, "cycle");
   answer.add_members({{"numerics", numerics_json(problem)}});

@@ -113,6 +113,31 @@ Table table_of(const studies::SlipUncertainty& result) {
   return table;
 }
 
+// Which tolerance to tighten or, where that does not help, which mean to move.
+std::string advice(Answer& answer, const studies::SlipUncertainty& result) {
+  const std::string& decisive = result.tornado[result.decisive].key;
+  const std::string halved = with_interval(result.probability_with_half_spread, 5);
+  const auto& best = result.best_change;
+  answer.add_members(
+      {{"decisive", decisive},
+       {"tighten", result.tightening_helps ? Json(decisive) : Json()},
+       {"probability_with_half_spread", to_json(result.probability_with_half_spread)},
+       {"best_change",
+        best ? Json{{"key", best->key}, {"factor", best->factor}, {"margin", best->margin}} : Json()}});
+  if (result.slips == 0) return "No sample slips.";
+  if (result.tightening_helps)
+    return fmt::format(
+        "The tolerance to tighten is that of {}: with half its spread the probability of slip is {}.",
+        decisive, halved);
+  std::string text =
+      fmt::format("No tighter tolerance helps: with half the spread of {} the probability of slip is {}.",
+                  decisive, halved);
+  if (best)
+    text += fmt::format(" Move the mean:\n{} times {} gives the case the margin {:.4g}.", best->key,
+                        best->factor, best->margin);
+  return text;
+}
+
 Answer answer_of(const data::Case& problem, const UncertaintyOptions& options,
                  const studies::SlipUncertainty& result) {
   Answer answer;
@@ -125,13 +150,9 @@ Answer answer_of(const data::Case& problem, const UncertaintyOptions& options,
   answer.add_line();
   answer.add_table("keys", table_of(result));
   if (result.sensitivity) answer.add_members({{"index_rows_dropped", result.sensitivity->dropped}});
-  const std::string& decisive = result.tornado[result.decisive].key;
-  answer.add_members({{"tighten", decisive},
-                      {"probability_with_half_spread", to_json(result.probability_with_half_spread)}});
-  answer.add_line(fmt::format(
-      "\nThe tolerance to tighten is that of {}: with half its spread the probability of slip is {}.",
-      decisive, with_interval(result.probability_with_half_spread, 5)));
-  answer.text += "All intervals are those of 95 % confidence. ";
+  answer.add_line("\n" + advice(answer, result));
+  answer.text += fmt::format("All numbers are those of {} modes, all intervals those of 95 % confidence. ",
+                             problem.numerics.modes());
   answer.add_line(result.sensitivity ? "The indices are shares in the variance of log(margin)."
                                      : "There are no indices: keys are correlated, or more than 20.");
   return answer;

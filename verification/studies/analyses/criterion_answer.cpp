@@ -12,6 +12,7 @@
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/analytic/timoshenko_modes.hpp"
 #include "stickslip/data/case_file.hpp"
+#include "studies/analyses/natural_frequencies.hpp"
 #include "studies/common/parallel.hpp"
 #include "studies/criterion/problem_warnings.hpp"
 
@@ -79,40 +80,28 @@ double steady_force_per_unit(const data::Case& problem) {
                       .steady_force_amplitude());
 }
 
-std::optional<SteadyState> steady_state(const data::Case& problem) {
+// with_all_modes() refuses a case whose kept_modes() have none.
+StickFrequency nearest_stick_frequency(const data::Case& problem) {
+  const auto shares = analytic::modal_forces(problem.beam, kept_modes(problem));
+  const double omega = angular_frequency(problem.excitation);
+  const auto nearest = std::ranges::min_element(
+      shares, {}, [&](const auto& share) { return std::abs(share.angular_frequency - omega); });
+  return {.mode = static_cast<int>(nearest - shares.begin()) + 1,
+          .hz = nearest->angular_frequency / (2.0 * std::numbers::pi),
+          .distance = (nearest->angular_frequency - omega) / omega};
+}
+
+std::optional<SteadyState> steady_state(const data::Case& problem, const StickFrequency& nearest) {
+  const auto natural = closed_form_frequencies(problem.beam, analytic::TipSupport::held, nearest.mode).back();
+  if (!is_damped(problem) && std::abs(nearest.distance) <= natural.relative_error) return std::nullopt;
   const auto warnings = problem_warnings(problem, Inquiry::criterion);
-  if (std::ranges::find(warnings, Concern::resonance, &Warning::concern) != warnings.end())
-    return std::nullopt;
   const double per_unit = steady_force_per_unit(problem), limit = friction_limit(problem);
   const double force = problem.excitation.amplitude() * per_unit;
-  return SteadyState{.force = force,
-                     .critical_amplitude = limit / per_unit,
-                     .verdict = analytic::verdict_of({force, force}, limit)};
-}
-
-// with_all_modes() refuses a case whose kept_modes() have none.
-StickFrequency next_stick_frequency(const data::Case& problem) {
-  const auto shares = analytic::modal_forces(problem.beam, kept_modes(problem));
-  const auto next = std::ranges::upper_bound(shares, angular_frequency(problem.excitation), {},
-                                             &analytic::ModalForce::angular_frequency);
-  return {static_cast<int>(next - shares.begin()) + 1, next->angular_frequency / (2.0 * std::numbers::pi)};
-}
-
-// Changes after which there is no stick state are left out.
-Change best_change_of(const data::Case& problem) {
-  Change best;
-  for (const std::string_view key :
-       {"excitation.amplitude", "excitation.frequency_hz", "beam.length", "beam.axial_force",
-        "beam.youngs_modulus", "beam.density", "friction.static_coefficient"})
-    for (const double factor : {0.9, 1.1}) {
-      const data::Case changed = data::with_value(problem, key, factor * data::value_of(problem, key));
-      if (changed.beam.axial_force() >= analytic::stick_buckling_load(changed.beam)) continue;
-      const double margin = margin_of(criterion_of(changed, changed.excitation, changed.numerics.modes(),
-                                                   SteadyPart::modal_sum))
-                                .lower;
-      if (margin > best.margin) best = {key, factor, margin};
-    }
-  return best;
+  return SteadyState{
+      .force = force,
+      .critical_amplitude = limit / per_unit,
+      .verdict = analytic::verdict_of({force, force}, limit),
+      .reached = std::ranges::find(warnings, Concern::resonance, &Warning::concern) == warnings.end()};
 }
 
 }  // namespace
@@ -122,17 +111,37 @@ analytic::Bounds margin_of(const analytic::Criterion& criterion) {
           criterion.friction_limit / criterion.force_max.lower};
 }
 
+std::optional<Change> best_change(
+    const data::Case& problem,
+    const std::function<std::optional<double>(std::string_view key, double value)>& margin_with) {
+  Change best;
+  for (const std::string_view key :
+       {"excitation.amplitude", "excitation.frequency_hz", "beam.length", "beam.axial_force",
+        "beam.youngs_modulus", "beam.density", "friction.static_coefficient"})
+    for (const double factor : {0.9, 1.1})
+      if (const auto margin = margin_with(key, factor * data::value_of(problem, key));
+          margin && *margin > best.margin)
+        best = {key, factor, *margin};
+  return best.key.empty() ? std::nullopt : std::optional(best);
+}
+
 CriterionAnswer criterion_answer(const data::Case& problem) {
   CriterionAnswer answer{
       .truncated = criterion_of(problem, problem.excitation, problem.numerics.modes(), SteadyPart::modal_sum),
       .all_modes = with_all_modes(problem),
-      .steady = steady_state(problem),
-      .next = next_stick_frequency(problem),
+      .steady = {},
+      .nearest = nearest_stick_frequency(problem),
       .best_change = {}};
-  if (problem.excitation.amplitude() > 0.0) {
-    const Change best = best_change_of(problem);
-    if (!best.key.empty()) answer.best_change = best;
-  }
+  answer.steady = steady_state(problem, answer.nearest);
+  if (problem.excitation.amplitude() > 0.0)
+    answer.best_change =
+        best_change(problem, [&](std::string_view key, double value) -> std::optional<double> {
+          const data::Case changed = data::with_value(problem, key, value);
+          if (changed.beam.axial_force() >= analytic::stick_buckling_load(changed.beam)) return std::nullopt;
+          return margin_of(criterion_of(changed, changed.excitation, changed.numerics.modes(),
+                                        SteadyPart::modal_sum))
+              .lower;
+        });
   return answer;
 }
 

@@ -3,6 +3,7 @@
 
 /// What the criterion of stick-slip occurrence says of a case, and what an engineer asks next.
 
+#include <functional>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -17,12 +18,14 @@ struct SteadyState {
   double force{};               ///< N
   double critical_amplitude{};  ///< m
   analytic::Verdict verdict{};
+  bool reached{};  ///< false if the undamped force grows over all of the duration (Concern::resonance)
 };
 
 /// A natural frequency of the stick state.
 struct StickFrequency {
   int mode{};
   double hz{};
+  double distance{};  ///< from the excitation frequency, over that; below 0 if it is below
 };
 
 /// One key of the case times a factor, and the margin μₛ P/max|f| that it gives.
@@ -34,8 +37,8 @@ struct Change {
 struct CriterionAnswer {
   analytic::Criterion truncated;      ///< with numerics.modes, as in the paper
   analytic::Criterion all_modes;      ///< without truncation
-  std::optional<SteadyState> steady;  ///< nothing where the undamped force grows over all of the duration
-  StickFrequency next;                ///< the first natural frequency above that of the excitation
+  std::optional<SteadyState> steady;  ///< nothing for an undamped beam at a natural frequency, to rounding
+  StickFrequency nearest;             ///< the natural frequency nearest to that of the excitation
   std::optional<Change> best_change;  ///< by a tenth; nothing for an excitation amplitude of 0
 };
 
@@ -43,6 +46,12 @@ struct CriterionAnswer {
 /// free vibrations, and bounds of those that are left out; each key that it depends on is then changed by a tenth, and the change
 /// with the largest margin is kept. Throws what evaluate_criterion() throws.
 [[nodiscard]] CriterionAnswer criterion_answer(const data::Case& problem);
+
+/// The change with the largest margin of those of one key by a tenth: amplitude, frequency, length, axial force, Young's modulus,
+/// density or static coefficient. `margin_with` gives the margin with a key at a value, nothing where there is no stick state.
+[[nodiscard]] std::optional<Change> best_change(
+    const data::Case& problem,
+    const std::function<std::optional<double>(std::string_view key, double value)>& margin_with);
 
 /// μₛ P over the largest |f|: below 1 the tip slips.
 [[nodiscard]] analytic::Bounds margin_of(const analytic::Criterion& criterion);

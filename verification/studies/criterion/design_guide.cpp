@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "stickslip/analytic/criterion.hpp"
+#include "stickslip/analytic/damped_reaction.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "studies/common/hertz.hpp"
 #include "studies/common/parallel.hpp"
@@ -28,6 +29,8 @@ constexpr double relative_accuracy = 1e-5;
 constexpr double last_share = 1.0 / 16.0;  // of that accuracy, at which the bisection of intervals ends
 constexpr double below_buckling = 1.0 - 1e-6;
 
+bool is_one_frequency(const analytic::FrequencyBand& band) { return band.from_hz == band.to_hz; }
+
 void require_margin(const data::Case& problem) {
   require_friction(problem);
   if (problem.beam.shear_stiffness() > 0.0)
@@ -37,8 +40,22 @@ void require_margin(const data::Case& problem) {
   throw data::FieldError("excitation.amplitude", "0", "above 0 (m): without excitation nothing slips");
 }
 
-analytic::BandMaximum search_of(const data::Case& problem, const analytic::FrequencyBand& band) {
-  return {problem.beam, band, problem.numerics.duration(), problem.numerics.modes()};
+analytic::BandMaximum search_of(const data::Case& problem, const analytic::FrequencyBand& band,
+                                analytic::DampedForcePart part = analytic::DampedForcePart::start_up) {
+  const int modes = problem.numerics.modes();
+  if (!is_damped(problem)) return {problem.beam, band, problem.numerics.duration(), modes};
+  return {analytic::damped_reaction(problem.beam, problem.damping, modes), band, problem.numerics.duration(),
+          part};
+}
+
+// The least damping ratio of the modes that vibrate; 0 without damping.
+double least_ratio(const data::Case& problem) {
+  if (!is_damped(problem)) return 0.0;
+  double least = 1.0;
+  for (const auto& share :
+       analytic::damped_reaction(problem.beam, problem.damping, problem.numerics.modes()).shares)
+    least = std::min(least, -share.eigenvalue.real() / std::abs(share.eigenvalue));
+  return least;
 }
 
 // The case with one value of the parameter, and the bounds of the force that are known there.
@@ -48,10 +65,12 @@ class Candidate {
       : value_(value),
         limit_(friction_limit(problem) / problem.excitation.amplitude()),
         modes_(analytic::modal_forces(problem.beam, problem.numerics.modes())),
+        least_ratio_(studies::least_ratio(problem)),
         search_(search_of(problem, band)) {}
 
   [[nodiscard]] double value() const { return value_; }
   [[nodiscard]] const std::vector<analytic::ModalForce>& modes() const { return modes_; }
+  [[nodiscard]] double least_ratio() const { return least_ratio_; }
 
   // Whether |f_max| per metre of amplitude is at least `reserve` (N/m) below the limit over the whole band.
   [[nodiscard]] bool sticks(double reserve = 0.0) {
@@ -63,6 +82,7 @@ class Candidate {
   double value_;
   double limit_;  // μ_s P/A0, N/m
   std::vector<analytic::ModalForce> modes_;
+  double least_ratio_;
   analytic::BandMaximum search_;
 };
 
@@ -125,12 +145,14 @@ class Scan {
   // The estimate R of design_scan(): how far |f_max| per metre of amplitude rises above its larger end value,
   // N/m.
   [[nodiscard]] double rise_between(const Candidate& left, const Candidate& right) const {
-    const double t = problem_.numerics.duration();
+    const double ratio = std::min(left.least_ratio(), right.least_ratio());
     const double a = two_pi * band_.from_hz, b = two_pi * band_.to_hz;
     double rise = 0.0;
     for (std::size_t n = 0; n < left.modes().size(); ++n) {
       const auto &upper = left.modes()[n], &lower = right.modes()[n];
       const double w = lower.angular_frequency, change = upper.angular_frequency - w;
+      const double duration = problem_.numerics.duration();
+      const double t = ratio > 0.0 ? std::min(duration, 2.0 / (ratio * w)) : duration;
       const double c = std::max(std::abs(upper.coefficient), std::abs(lower.coefficient));
       const double apart = std::max({0.0, a - upper.angular_frequency, w - b}) * (a + w);
       const double q = b * b * b / (apart * w);  // infinite in resonance
@@ -143,9 +165,11 @@ class Scan {
   void append(const Candidate& left, const Candidate& right, bool sticks,
               std::vector<DesignInterval>& intervals) const {
     intervals.push_back({.from = left.value(), .to = right.value(), .sticks = sticks});
+    // The grid has the values at which a natural frequency is at an end of the band: it does not enter between two of them.
+    const double inside = is_one_frequency(band_) ? -1e-12 : 1e-12;
     for (std::size_t n = 0; n < left.modes().size(); ++n)
-      if (left.modes()[n].angular_frequency >= two_pi * band_.from_hz &&
-          right.modes()[n].angular_frequency <= two_pi * band_.to_hz)
+      if (left.modes()[n].angular_frequency >= two_pi * band_.from_hz * (1.0 + inside) &&
+          right.modes()[n].angular_frequency <= two_pi * band_.to_hz * (1.0 - inside))
         intervals.back().resonances.push_back(static_cast<int>(n) + 1);
   }
 
@@ -155,12 +179,14 @@ class Scan {
   double resolution_;
 };
 
-// Joins neighbouring intervals with the same result.
-std::vector<DesignInterval> joined(const std::vector<std::vector<DesignInterval>>& parts) {
+// Joins neighbouring intervals with the same result and, where they slip, the same resonances.
+std::vector<DesignInterval> joined(const std::vector<std::vector<DesignInterval>>& parts,
+                                   bool whatever_resonances) {
   std::vector<DesignInterval> intervals;
   for (const auto& part : parts)
     for (const DesignInterval& next : part) {
-      if (intervals.empty() || intervals.back().sticks != next.sticks) {
+      if (intervals.empty() || intervals.back().sticks != next.sticks ||
+          (!next.sticks && !whatever_resonances && intervals.back().resonances != next.resonances)) {
         intervals.push_back(next);
         continue;
       }
@@ -187,7 +213,13 @@ BandMargin band_margin(const data::Case& problem, const analytic::FrequencyBand&
                     .margin = {limit / (amplitude * unit.upper), limit / (amplitude * unit.lower)},
                     .frequency_hz = search.frequency_hz(),
                     .evaluations = static_cast<int>(search.evaluations()),
-                    .resonances = {}};
+                    .resonances = {},
+                    .steady_margin = {}};
+  if (is_damped(problem)) {
+    const analytic::Bounds steady =
+        search_of(problem, band, analytic::DampedForcePart::steady).refined_to(relative_width);
+    margin.steady_margin = {limit / (amplitude * steady.upper), limit / (amplitude * steady.lower)};
+  }
   for (const auto& mode : analytic::stick_modes(problem.beam, problem.numerics.modes()))
     if (band.from_hz <= mode.frequency_hz() && mode.frequency_hz() <= band.to_hz)
       margin.resonances.push_back({mode.number(), mode.frequency_hz()});
@@ -211,7 +243,7 @@ DesignScan design_scan(const data::Case& problem, std::string_view parameter, co
     in_parallel(
         parts.size(),
         [&](std::size_t i) { scan.divide(scan.at(values[i]), scan.at(values[i + 1]), parts[i]); }, progress);
-    result.intervals = joined(parts);
+    result.intervals = joined(parts, is_one_frequency(band));
   }
   if (range.to > last)
     result.intervals.push_back({.from = std::max(range.from, last), .to = range.to, .buckled = true});

@@ -34,9 +34,11 @@ struct BandMargin {
   double frequency_hz{};              ///< frequency at which force_max.lower occurs
   int evaluations{};                  ///< number of frequencies at which |f_max| was computed
   std::vector<Resonance> resonances;  ///< ascending
+  /// The margin of the steady vibration at its worst frequency, of a damped beam; else 0.
+  analytic::Bounds steady_margin{};
 };
 STICKSLIP_MEMBERS(BandMargin, (force_max, "N"), (friction_limit, "N"), (margin, "1"), (frequency_hz, "Hz"),
-                  (evaluations, "1"), (resonances))
+                  (evaluations, "1"), (resonances), (steady_margin, "1"))
 
 /// Searches the whole band, resonances included (analytic::BandMaximum), until the bounds of the force are
 /// `relative_width` apart. Throws data::InputError, naming beam.axial_force, unless 0 < P < P_cr,
@@ -54,7 +56,7 @@ struct DesignInterval {
   double from{}, to{};
   bool sticks{};
   bool buckled{};  ///< no stick state
-  /// Modes with a natural frequency inside the band somewhere in the interval.
+  /// Modes with a natural frequency inside the band in all of the interval or, if the band is one frequency, somewhere in it.
   std::vector<int> resonances{};
 };
 STICKSLIP_MEMBERS(DesignInterval, (from), (to), (sticks, "1"), (buckled, "1"), (resonances, "1"))
@@ -76,7 +78,8 @@ STICKSLIP_MEMBERS(DesignScan, (accuracy), (intervals))
 ///     R = Σ_n |c_n| min((change of ω_n)²/8 min(T² q_n, b² T³/(3 ω_n)), 2 q_n).
 ///
 /// The symbols are those of BandMaximum. R is the leading estimate of the rise of |f_max| between the two
-/// values, caused by the change of the phases ω_n T over the duration T. An interval that is still
+/// values, caused by the change of the phases ω_n T over the duration T; with damping T is at most 2/(ζ ω_n), ζ the least damping
+/// ratio. An interval that is still
 /// undecided at 1/16 of `accuracy`, or within 1e-4 of the force, counts as slipping. So does an interval
 /// between two neighbours that slip. The errors of the intervals that stick are therefore on the safe side.
 ///

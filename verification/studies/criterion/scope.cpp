@@ -49,14 +49,11 @@ SteadyForce steady_force(const data::Case& paper, const std::vector<double>& dur
 }
 
 SteadyDampedForce damped_force(const data::Case& damped) {
-  const analytic::StickResponse undamped(damped.beam, damped.excitation, kept_modes,
-                                         analytic::SteadyPart::exact);
   const analytic::DampedSteadyState steady(damped.beam, damped.excitation, damped.damping,
                                            analytic::TipSupport::held);
   return {.frequency_hz = damped.excitation.frequency_hz(),
           .amplitude = damped.excitation.amplitude(),
           .ratio = 0.5 * damped.damping.kelvin_voigt() * two_pi * stick_hz(damped.beam, 1),
-          .undamped_force_max = undamped.max_abs_friction_force(damped.numerics.duration(), 1e-7).midpoint(),
           .steady = std::abs(steady.friction_force())};
 }
 

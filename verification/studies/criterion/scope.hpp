@@ -35,11 +35,9 @@ STICKSLIP_MEMBERS(SteadyForce, (frequency_hz, "Hz"), (amplitude, "m"), (steady, 
 struct SteadyDampedForce {
   double frequency_hz{}, amplitude{};  ///< Hz, m
   double ratio{};                      ///< fraction of critical damping of stick mode 1, η ω_1/2
-  double undamped_force_max{};         ///< |f_max| over numerics.duration() without damping, N
   double steady{};                     ///< closed form (analytic::DampedSteadyState), N
 };
-STICKSLIP_MEMBERS(SteadyDampedForce, (frequency_hz, "Hz"), (amplitude, "m"), (ratio, "1"),
-                  (undamped_force_max, "N"), (steady, "N"))
+STICKSLIP_MEMBERS(SteadyDampedForce, (frequency_hz, "Hz"), (amplitude, "m"), (ratio, "1"), (steady, "N"))
 
 /// |f_max| of Euler-Bernoulli theory and with rotary inertia and shear (with_shear()).
 struct SlenderForce {

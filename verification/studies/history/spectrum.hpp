@@ -21,7 +21,8 @@ struct SpectrumLine {
 /// --every, if a period has less than two rows or if there are more than four million.
 [[nodiscard]] std::size_t spectrum_rows(const data::Case& problem, long every);
 
-/// The spectra of the last `rows` values, `row_step` (s) apart.
+/// The spectra of the last `rows` values, `row_step` (s) apart. Where a value jumps, as the force at a capture, the sum over rows is off: the
+/// error of an amplitude is up to the sum of the jumps in a period over the number of rows in it.
 [[nodiscard]] std::vector<SpectrumLine> spectrum_of(const std::vector<double>& tip_displacements,
                                                     const std::vector<double>& friction_forces,
                                                     std::size_t rows, double row_step);

@@ -35,12 +35,13 @@ double squared_return(std::span<const Sample> samples, std::size_t period) {
 
 // What adds up over steps, or is the largest.
 struct Sums {
-  std::size_t slip_steps{}, captures{};
+  std::size_t slip_steps{}, captures{}, doubtful{};
   double peak_speed{}, squares{}, travel{}, work{}, largest_force{};
 
   void add(const Sums& other) {
     slip_steps += other.slip_steps;
     captures += other.captures;
+    doubtful += other.doubtful;
     peak_speed = std::max(peak_speed, other.peak_speed);
     squares += other.squares;
     travel += other.travel;
@@ -59,6 +60,7 @@ Sums period_of_motion(analytic::ModalContactRun& run, int steps) {
     const double after = run.sliding_velocity(), mean = 0.5 * (before + after), force = run.friction_force();
     sums.slip_steps += run.slips() ? 1 : 0;
     sums.captures += slipped && !run.slips() ? 1 : 0;
+    sums.doubtful += run.may_hide_stick() ? 1 : 0;
     sums.peak_speed = std::max(sums.peak_speed, std::abs(after));
     sums.squares += after * after;
     sums.travel += std::abs(mean);
@@ -88,6 +90,7 @@ MotionValues values_of(const Sums& sums, std::span<const Sample> samples, int st
 struct Record {
   bool slips{};
   MotionValues whole{}, first{}, second{};
+  double hidden_sticks{};  // in a period, that may be shorter than a step
 };
 
 Record record_of(analytic::ModalContactRun& run, const ResponseGrid& grid) {
@@ -109,17 +112,26 @@ Record record_of(analytic::ModalContactRun& run, const ResponseGrid& grid) {
   halves[0].add(halves[1]);
   record.slips = halves[0].slip_steps > 0;
   record.whole = of(halves[0], all);
+  record.hidden_sticks = static_cast<double>(halves[0].doubtful) / grid.recorded;
   return record;
 }
 
-ResponseValue checked(const MotionQuantity& quantity, const std::array<double, 4>& values) {
+// What whole steps leave open: each slip begins and ends somewhere in a step, and a short stick may be missed.
+double resolution_of(const MotionQuantity& quantity, const Record& record, const ResponseGrid& grid) {
+  if (quantity.value == &MotionValues::sticks) return record.hidden_sticks;
+  if (quantity.value != &MotionValues::slip_share) return 0.0;
+  return (record.whole.sticks + record.hidden_sticks) / grid.steps_per_period;
+}
+
+ResponseValue checked(const MotionQuantity& quantity, const std::array<double, 4>& values,
+                      double resolution) {
   if (!std::ranges::all_of(values, [](double value) { return std::isfinite(value); }))
     return {.value = 0.0, .change = 1.0};
   const auto [least, largest] = std::ranges::minmax(values);
-  const double spread = largest - least;
-  if (quantity.value == &MotionValues::period) return {values[0], spread > 0.0 ? 1.0 : 0.0};
+  const double spread = largest - least + resolution;
+  if (quantity.value == &MotionValues::period) return {values[0], spread > 0.0 || least == 0.0 ? 1.0 : 0.0};
   // The work is not negative but for rounding.
-  return {values[0], spread > 0.0 ? std::min(spread / std::max(largest, -least), 1.0) : 0.0};
+  return {values[0], spread > 0.0 ? std::min(spread / std::max({largest, -least, spread}), 1.0) : 0.0};
 }
 
 }  // namespace
@@ -191,7 +203,8 @@ ContactResponse contact_response(const data::Case& problem, double transient,
   for (const MotionQuantity& quantity : motion_quantities) {
     const auto of = quantity.value;
     const auto [value, change] =
-        checked(quantity, {record.whole.*of, record.first.*of, record.second.*of, check.whole.*of});
+        checked(quantity, {record.whole.*of, record.first.*of, record.second.*of, check.whole.*of},
+                resolution_of(quantity, record, grid));
     response.values.*of = value;
     response.changes.*of = change;
   }

@@ -21,7 +21,7 @@ struct MotionValues {
   double work{};           ///< energy that friction dissipates in a period, J
   double largest_force{};  ///< largest |f|, N
   double sticks{};         ///< number of times in a period that the tip comes to stick
-  double period{};  ///< of the motion in periods of the base motion, 1 ... 16; 0 if it has none of these
+  double period{};  ///< of the motion in periods of the base motion, 1 ... 16; 0 if none of these is found
 };
 
 /// One of them, with its names.
@@ -42,7 +42,7 @@ inline constexpr std::array motion_quantities{
     MotionQuantity{"work", "work_J", "J", "work of friction in a period / J", &MotionValues::work},
     MotionQuantity{"largest-force", "largest_force_N", "N", "largest |f| / N", &MotionValues::largest_force},
     MotionQuantity{"sticks", "sticks", "1", "sticks in a period", &MotionValues::sticks},
-    MotionQuantity{"period", "period", "1", "period of the motion (0: none)", &MotionValues::period}};
+    MotionQuantity{"period", "period", "1", "period of the motion", &MotionValues::period}};
 
 /// The quantity with this name. Throws std::invalid_argument if there is none.
 [[nodiscard]] const MotionQuantity& motion_quantity(std::string_view name);
@@ -51,7 +51,9 @@ inline constexpr std::array motion_quantities{
 struct ResponseValue {
   double value{};
   /// The spread of four values over the largest of them, 0 ... 1: of the record, of each half of it, and of the
-  /// record with twice the time step. For a period 0 if all four are the same, else 1. 1 if the motion is not finite.
+  /// record with twice the time step. The spread of a share of slip includes one step for each slip, and that of a number of sticks
+  /// those that ModalContactRun::may_hide_stick(). For a period 0 if all four are found and the same, else 1. 1 if the motion is not
+  /// finite.
   double change{};
 };
 

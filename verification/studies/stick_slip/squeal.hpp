@@ -21,7 +21,8 @@ struct SquealMode {
   std::optional<double> critical_slope;      ///< κ at the Hopf point, N s/m; nothing if there is none
   std::optional<double> critical_speed;      ///< above it the mode is stable, m/s; infinite if it never is
   std::optional<std::complex<double>> root;  ///< s at the speed of the wall, 1/s, characteristic equation
-  std::optional<std::complex<double>> finite_element_root;  ///< the eigenvalue of the mesh next to it, 1/s
+  /// The eigenvalue of the mesh next to it, 1/s; of a first mode without such a root the largest real one.
+  std::optional<std::complex<double>> finite_element_root;
 };
 
 /// Steady sliding of a case.
@@ -33,11 +34,21 @@ struct Squeal {
   double finite_element_displacement{};  ///< the same by the mesh, m
   bool all_modes{};  ///< the characteristic equation is that of the continuous beam; else of numerics.modes
   std::vector<SquealMode> modes;
-  std::complex<double> fastest;  ///< the eigenvalue of the mesh with the largest real part, 1/s
+  int resolved_modes{};          ///< that the mesh resolves; only these are judged
+  double resolved_hz{};          ///< up to which it does: resolved_frequency()
+  std::complex<double> fastest;  ///< of their eigenvalues the one with the largest real part, 1/s
+  bool
+      unresolved_mode_grows{};  ///< an eigenvalue of the mesh above resolved_hz, which says nothing of the beam
 
-  /// No eigenvalue of the mesh grows, up to what rounding leaves of it, 1e-9 of its modulus.
+  /// No eigenvalue grows, up to what rounding leaves of it, 1e-9 of its modulus.
   [[nodiscard]] bool is_stable() const { return fastest.real() <= 1e-9 * std::abs(fastest); }
+  /// The fastest one is real: no vibration grows, the tip runs away from steady sliding.
+  [[nodiscard]] bool diverges() const { return !is_stable() && fastest.imag() == 0.0; }
 };
+
+/// The frequency (Hz) up to which the mesh has natural frequencies to 1 %, mesh_frequency_error(). Above it the modes of the mesh are
+/// not those of the beam: the highest has its motion in the element at the tip, which falling friction drives more the finer it is.
+[[nodiscard]] double resolved_frequency(const data::Case& problem);
 
 /// Throws data::FieldError if wall.speed is 0, if there are more than 200 elements, if P ≤ 0, or if the
 /// sliding beam has no `modes` natural frequencies (flutter or buckling).
@@ -56,9 +67,9 @@ struct SquealGrowth {
 struct Cycle {
   analytic::PeriodicSearch search;
   bool forced{};             ///< by the base; else self-excited by the wall
-  double peak_to_peak{};     ///< of the tip, absolute, m
+  double peak_to_peak{};     ///< of the tip, absolute, m; as largest_sliding to 1e-9 of the motion
   double largest_sliding{};  ///< max |v_s|, m/s
-  double stick_share{};      ///< of the period
+  double stick_share{};      ///< of the period, from the times of the changes of contact
 };
 
 /// The motion after `settle` periods of the base or, if that does not move, of the first mode of the sliding beam; of `periods`

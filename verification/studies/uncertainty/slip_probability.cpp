@@ -219,15 +219,21 @@ std::vector<SlipUncertainty::Quantile> quantiles_of(const Verdicts& verdicts, co
   return quantiles;
 }
 
+// The margin with one key at a value, if that is a beam.
+std::optional<double> margin_with(const data::Case& problem, const std::string& key, double value,
+                                  const std::optional<analytic::FrequencyBand>& band) {
+  return result_or_reason([&] {
+    const Verdicts alone(problem, {.keys = {{key, {}, {}}}, .correlation = {1.0}}, band);
+    return alone.at(std::span(&value, 1)).margin;
+  });
+}
+
 std::vector<SlipUncertainty::Tornado> tornado_of(const data::Case& problem,
                                                  const data::Uncertainty& uncertainty,
                                                  const std::optional<analytic::FrequencyBand>& band) {
   std::vector<SlipUncertainty::Tornado> rows;
   for (const auto& key : uncertainty.keys) {
-    const Verdicts alone(problem, {.keys = {key}, .correlation = {1.0}}, band);
-    const auto margin_at = [&](double value) {
-      return result_or_reason([&] { return alone.at(std::span(&value, 1)).margin; });
-    };
+    const auto margin_at = [&](double value) { return margin_with(problem, key.key, value, band); };
     const double low = quantile(key.distribution, 0.05), high = quantile(key.distribution, 0.95);
     rows.push_back({key.key, low, high, margin_at(low), margin_at(high)});
   }
@@ -267,8 +273,7 @@ void require_answerable(const data::Case& problem, const data::Uncertainty& unce
     if (key.key == "excitation.frequency_hz" || key.key.starts_with("damping."))
       throw data::InputError(key.place + ": " + key.key + " is uncertain, but must be certain with a band");
   if (is_damped(problem))
-    throw data::InputError(
-        "the case is damped, but must have no damping with a band: its bounds are those of Eq. (26)");
+    throw data::InputError("the case is damped, but must have no damping with a band; design takes damping");
 }
 
 }  // namespace
@@ -335,6 +340,15 @@ SlipUncertainty slip_uncertainty(const data::Case& problem, const data::Uncertai
   spreads[result.decisive] = 0.5;
   const Count halved = count_samples(verdicts, joint, sampling, spreads, part(draws));
   if (halved.valid > 0) result.probability_with_half_spread = probability_of(halved.slips, halved.valid);
+  result.tightening_helps = result.probability_with_half_spread.value < result.probability_of_slip.value;
+  if (!result.tightening_helps && result.slips > 0)
+    result.best_change = best_change(problem, [&](std::string_view key, double value) {
+      if (sampling.band && key == "excitation.frequency_hz") return std::optional<double>();
+      const double ratio = value / data::value_of(problem, key);
+      if (key == "excitation.amplitude") return std::optional(result.nominal_margin / ratio);
+      if (key == "friction.static_coefficient") return std::optional(result.nominal_margin * ratio);
+      return margin_with(problem, std::string(key), value, sampling.band);
+    });
   return result;
 }
 

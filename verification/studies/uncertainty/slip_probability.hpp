@@ -13,6 +13,7 @@
 
 #include "stickslip/analytic/band_maximum.hpp"
 #include "stickslip/data/problem.hpp"
+#include "studies/analyses/criterion_answer.hpp"
 #include "studies/uncertainty/sampling.hpp"
 
 namespace stickslip::studies {
@@ -52,6 +53,9 @@ struct SlipUncertainty {
   std::size_t decisive{};  ///< the key with the largest total index, or the widest row of the tornado
   /// The same samples, with the normal score of that key halved.
   Estimate probability_with_half_spread;
+  bool
+      tightening_helps{};  ///< that is below the probability of slip; a case that slips in the mean slips more surely
+  std::optional<Change> best_change;  ///< of the mean, where tightening does not help and samples slip
 };
 
 /// The largest number of rows of the Sobol' indices, and the part of it that is taken with a band, whose margins are

@@ -296,8 +296,8 @@ TEST_F(CommandAnswers, CriterionPrintsWhatItsJsonHolds) {
     }
     EXPECT_EQ(all["friction_limit_N"], answer["friction_limit_N"]);
     EXPECT_EQ(cells("steady |f|").second,
-              answer["steady"].is_null() ? "none, it grows all the time"
-                                         : fmt::format("{:.7g}", answer["steady"]["force_N"].get<double>()));
+              fmt::format("{:.7g}{}", answer["steady"]["force_N"].get<double>(),
+                          answer["steady"]["reached"] ? "" : ", not reached within 10 s"));
     for (const auto& one : {answer, all}) {
       const double lower = one["force_max_N"]["lower"], upper = one["force_max_N"]["upper"];
       const double amplitude = answer["amplitude_m"], limit = one["friction_limit_N"];

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "stickslip/analytic/criterion.hpp"
+#include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "support/command_line.hpp"
 #include "support/requirements.hpp"
@@ -72,7 +73,6 @@ constexpr Refusal refusals[] = {
     {"design --band 20:30 --force 1e-30:1", "--force: beam.axial_force is 1e-30, but must be from"},
     {"design --band 20:30 --amplitude 0", "excitation.amplitude is 0, but must be above 0"},
     {"design --band 20:30 --set beam.axial_force=0", "beam.axial_force is 0, but must be positive"},
-    {"design damped --band 20:30", "damping.kelvin_voigt is 6.4e-05, but must be 0 for the design"},
     {"squeal paper", "wall.speed is 0, but must be other than 0"},
     {"periodic reed --set wall.speed=0", "excitation.amplitude is 0, but must be above 0"},
     {"squeal reed --set numerics.elements=201", "numerics.elements is 201, but must be at most 200 here"},
@@ -202,8 +202,12 @@ TEST_F(CommandLine, CriterionGivesSteadyAndStartUpForce) {
               1e-4);  // the fourth power of the element length: 1.4e-7 of 224 N
   EXPECT_TRUE(
       holds(run("criterion --hz 35").output, "\nverdict, steady                                 stick\n"));
-  EXPECT_TRUE(json("criterion --hz 25")["steady"].is_null());
-  EXPECT_TRUE(holds(run("criterion --hz 25").output, "none, it grows all the time\n"));
+  EXPECT_EQ(json("criterion --hz 25")["steady"]["reached"], false);
+  EXPECT_TRUE(holds(run("criterion --hz 25").output, ", not reached within 10 s\n"));
+  const std::string resonance = fmt::format(
+      "criterion --hz {}", analytic::stick_modes(data::load_case("paper").beam, 1).front().frequency_hz());
+  EXPECT_TRUE(json(resonance)["steady"].is_null());
+  EXPECT_TRUE(holds(run(resonance).output, "none at a natural frequency\n"));
 }
 
 TEST_F(CommandLine, CriterionOfADampedCase) {
@@ -523,6 +527,21 @@ TEST_F(MapCommand, RefusesAxesThatAreNoneInOneSentence) {
   expect_refused("map --set beam.axial_force=1e6 " + two_axes, "buckling load");
   expect_refused(command(two_axes + "--figure none/map.png"), "none/map.png");
   EXPECT_FALSE(std::filesystem::exists("map.csv"));
+}
+
+TEST_F(CommandLine, OfADampedCaseHasAMarginForTheSteadyVibrationToo) {
+  const std::string command = "design damped --band 20:30 --length 1.99:2 --force 499:500 --duration 1";
+  const auto design = json(command);
+  EXPECT_GT(design["steady_margin"]["lower"], design["margin"]["lower"]);
+  EXPECT_TRUE(holds(run(command).output, "\nsmallest margin, steady           "));
+}
+
+// taskset and schedulers of jobs give a process some of the processors only.
+TEST_F(CommandLine, UsesTheProcessorsThatItIsAllowed) {
+  const std::string map = " map paper --x frequency=20:21:2 --y amplitude=1e-3:2e-3:2 --dry-run --json";
+  const Outcome one = shell(std::string("taskset -c 0 '") + STICKSLIP_PROGRAM + "'" + map);
+  ASSERT_EQ(one.status, 0) << one.errors;
+  EXPECT_EQ(nlohmann::json::parse(one.output)["threads"], 1);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "studies/analyses/natural_frequencies.hpp"
 #include "studies/common/problem_parameter.hpp"
 #include "support/testing.hpp"
+#include "support/vibration.hpp"
 
 namespace stickslip::testing {
 namespace {
@@ -71,18 +72,40 @@ TEST(CriterionAnswer, BestChangeHasTheLargestMargin) {
   EXPECT_FALSE(studies::criterion_answer(paper_at("35", "0")).best_change);
 }
 
-TEST(CriterionAnswer, NextFrequencyFollowsThatOfTheExcitation) {
-  const data::Case problem = paper_at("35", "1e-3");
-  const auto next = studies::criterion_answer(problem).next;
-  const auto modes = analytic::stick_modes(problem.beam, next.mode);
-  EXPECT_DOUBLE_EQ(next.hz, modes.back().frequency_hz());
-  EXPECT_GT(next.hz, 35.0);
-  ASSERT_GE(next.mode, 2);
-  EXPECT_LE(modes[modes.size() - 2].frequency_hz(), 35.0);
+TEST(CriterionAnswer, NearestFrequencyIsBelowOrAboveThatOfTheExcitation) {
+  const auto modes = analytic::stick_modes(paper_at("35", "1e-3").beam, 2);  // 24.97 and 81.08 Hz
+  for (const auto& [hz, mode] :
+       {std::pair<double, int>{5.0, 1}, {27.0, 1}, {53.0, 1}, {53.1, 2}, {90.0, 2}}) {
+    const auto nearest = studies::criterion_answer(paper_at(data::shortest_text(hz), "1e-3")).nearest;
+    EXPECT_EQ(nearest.mode, mode) << hz;
+    EXPECT_DOUBLE_EQ(nearest.hz, modes.at(static_cast<std::size_t>(mode) - 1).frequency_hz());
+    EXPECT_DOUBLE_EQ(nearest.distance, nearest.hz / hz - 1.0);
+  }
 }
 
-TEST(CriterionAnswer, ResonanceHasNoSteadyForce) {
-  EXPECT_FALSE(studies::criterion_answer(paper_at("25", "1e-3")).steady);
+// Next to a natural frequency the force is finite, but half a beat is longer than the run.
+TEST(CriterionAnswer, SteadyForceNextToResonanceIsThatOfAMesh) {
+  const data::Case problem = paper_at("25", "0.5e-3");
+  const auto steady = studies::criterion_answer(problem).steady;
+  ASSERT_TRUE(steady);
+  EXPECT_FALSE(steady->reached);
+  EXPECT_TRUE(studies::criterion_answer(paper_at("35", "1e-3")).steady->reached);
+  const double fine = finite_element_steady_force(problem, 80),
+               coarse = finite_element_steady_force(problem, 40);
+  EXPECT_TRUE(within(steady->force, fine,
+                     discretisation(std::abs(coarse - fine) / 15.0, 1.1, "the fourth power of the element")));
+}
+
+TEST(CriterionAnswer, OnlyANaturalFrequencyItselfHasNoSteadyForce) {
+  const double natural = analytic::stick_modes(paper_at("25", "1e-3").beam, 1).front().frequency_hz();
+  const auto steady_at = [](double hz) {
+    return studies::criterion_answer(paper_at(data::shortest_text(hz), "1e-3")).steady;
+  };
+  EXPECT_FALSE(steady_at(natural));
+  ASSERT_TRUE(steady_at(natural * (1.0 + 1e-9)));
+  // The force of one mode over its distance.
+  EXPECT_NEAR(steady_at(natural * (1.0 + 1e-9))->force / steady_at(natural * (1.0 + 1e-8))->force, 10.0,
+              1e-4);
 }
 
 STICKSLIP_VERIFIES(CriticalAmplitudeCurve, "U1");

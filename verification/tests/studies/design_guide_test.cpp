@@ -3,6 +3,7 @@
 
 #include "studies/criterion/design_guide.hpp"
 #include "stickslip/analytic/criterion.hpp"
+#include "stickslip/analytic/damped_reaction.hpp"
 #include "studies/criterion/length_force_map.hpp"
 #include "support/beams.hpp"
 #include "support/error_message.hpp"
@@ -180,7 +181,7 @@ TEST(DesignScan, HoldsThroughoutABand) {
   const auto scan = studies::design_scan(problem, "beam.length", {0.7, 1.7}, band);
   expect_to_tile(scan, 0.7, 1.7);
   for (const int mode : {1, 2})
-    for (const double hz : {22.0, 24.0, 27.0}) {
+    for (const double hz : {22.1, 24.0, 26.9}) {
       const DesignInterval& avoided = interval_at(scan, *studies::resonance_length(problem.beam, mode, hz));
       EXPECT_FALSE(avoided.sticks);
       EXPECT_EQ(avoided.resonances, std::vector<int>{mode});
@@ -195,6 +196,72 @@ TEST(DesignScan, HoldsThroughoutABand) {
         EXPECT_LT(studies::band_margin(there, band, 1e-3).margin.lower, 1.0) << length;
       }
     }
+}
+
+// The tip slips before a natural frequency enters the band, and the label begins where it does.
+TEST(DesignScan, NamesANaturalFrequencyOnlyWhereItIsInTheBand) {
+  const FrequencyBand band{25.0, 28.0};
+  const auto scan = studies::design_scan(flat_case(), "beam.length", {0.6, 1.1}, band);
+  int named = 0;
+  for (const DesignInterval& interval : scan.intervals) {
+    const double middle = 0.5 * (interval.from + interval.to);
+    const double hz =
+        analytic::stick_modes(with_value(flat_case(), "beam.length", middle).beam, 1).front().frequency_hz();
+    const bool inside = band.from_hz < hz && hz < band.to_hz;
+    if (!interval.sticks) {
+      EXPECT_EQ(interval.resonances, inside ? std::vector<int>{1} : std::vector<int>{}) << middle;
+    }
+    named += inside ? 1 : 0;
+  }
+  EXPECT_EQ(named, 1);
+  EXPECT_EQ(scan.intervals.size(), 5u);  // sticks, slips, slips in resonance, slips, sticks
+}
+
+// With damping a beam may stick at its natural frequencies. The margins are those of the criterion and of the steady force.
+TEST(DesignScan, OfADampedBeamHasTheMarginsOfStartUpAndSteadyVibration) {
+  data::Case problem = with_value(flat_case(), "excitation.amplitude", 2e-5);
+  const FrequencyBand band{15.0, 40.0};
+  for (const data::Damping& damping :
+       {data::Damping({.ratio = 0.03}), data::Damping({.kelvin_voigt = 3e-4})}) {
+    problem.damping = damping;
+    const auto margin = studies::band_margin(problem, band);
+    EXPECT_FALSE(margin.resonances.empty());
+    EXPECT_LE(margin.margin.upper / margin.margin.lower, 1.0 + 2e-6);
+    double least = margin.margin.upper, least_steady = margin.steady_margin.upper;
+    const auto reaction = analytic::damped_reaction(problem.beam, damping, 10);
+    for (int i = 0; i <= 2500; ++i) {
+      const double omega = 2.0 * std::numbers::pi * std::lerp(band.from_hz, band.to_hz, i / 2500.0);
+      const analytic::DampedForce force(reaction, omega, 10.0);
+      least = std::min(least, 300.0 / (2e-5 * force.refined_to(1e-6).lower));
+      least_steady = std::min(least_steady, 300.0 / (2e-5 * force.steady_amplitude()));
+    }
+    EXPECT_GE(least, margin.margin.lower);
+    EXPECT_GE(least_steady, margin.steady_margin.lower);
+    const auto at_worst = with_value(problem, "excitation.frequency_hz", margin.frequency_hz);
+    const auto criterion =
+        analytic::evaluate_criterion(at_worst.beam, at_worst.friction, at_worst.excitation, 10.0, 10,
+                                     analytic::SteadyPart::modal_sum, 1e-9, damping);
+    EXPECT_NEAR(margin.margin.upper * criterion.force_max.midpoint(), 300.0, 300.0 * 1e-6);
+    // 0.02 Hz beside the worst of a resonance that is 1 Hz wide.
+    EXPECT_NEAR(least_steady, margin.steady_margin.lower, 1e-3 * least_steady);
+    EXPECT_GT(margin.steady_margin.lower, margin.margin.lower);
+  }
+}
+
+TEST(DesignScan, OfADampedBeamIsThatOfTheCriterion) {
+  data::Case problem = with_value(flat_case(), "excitation.amplitude", 1e-3);
+  problem.damping = data::Damping({.ratio = 0.02});
+  const auto scan = studies::design_scan(problem, "beam.length", {0.7, 1.2}, {25.0, 25.0});
+  expect_to_tile(scan, 0.7, 1.2);
+  ASSERT_GE(scan.intervals.size(), 3u);
+  for (int i = 0; i <= 200; ++i) {
+    const double length = std::lerp(0.7, 1.2, i / 200.0);
+    const data::Case there = with_value(problem, "beam.length", length);
+    const auto criterion =
+        analytic::evaluate_criterion(there.beam, there.friction, there.excitation, 10.0, 10,
+                                     analytic::SteadyPart::modal_sum, 1e-6, problem.damping);
+    EXPECT_EQ(criterion.verdict == analytic::Verdict::stick, interval_at(scan, length).sticks) << length;
+  }
 }
 
 TEST(DesignScan, OfALengthOverBucklingSaysSo) {

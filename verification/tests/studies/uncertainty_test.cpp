@@ -346,6 +346,24 @@ TEST(SlipProbability, CountsTheSamplesWhoseMarginIsBelowOne) {
   }
 }
 
+// Where the tip sticks in the mean, less spread makes slip rarer; where it slips in the mean, surer.
+TEST(SlipProbability, AdvisesATighterToleranceOnlyWhereItHelps) {
+  for (const double amplitude : {0.5e-3, 0.8e-3}) {
+    const data::Case of = with_value(problem(), "excitation.amplitude", amplitude);
+    const auto result = studies::slip_uncertainty(of, uncertain_coefficient(), {.samples = 2000});
+    const bool sticks = result.nominal_margin > 1.0;
+    EXPECT_EQ(sticks, amplitude == 0.5e-3);
+    EXPECT_EQ(result.tightening_helps, sticks);
+    EXPECT_EQ(result.probability_with_half_spread.value < result.probability_of_slip.value, sticks);
+    EXPECT_EQ(result.best_change.has_value(), !sticks);
+    if (sticks) continue;
+    const auto best = studies::criterion_answer(of).best_change;
+    EXPECT_EQ(result.best_change->key, best->key);
+    EXPECT_EQ(result.best_change->factor, best->factor);
+    EXPECT_NEAR(result.best_change->margin, best->margin, 1e-7 * best->margin);
+  }
+}
+
 TEST(SlipProbability, CountsWhatIsNoBeam) {
   const auto result = studies::slip_uncertainty(
       problem(),

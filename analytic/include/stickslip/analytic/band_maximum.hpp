@@ -19,13 +19,27 @@
 ///     |φ_n''| ≤ (2 T + 2 b T² + b² T³/3)/ω_n.
 ///
 /// A resonance, about 1/T wide, can therefore not hide between two frequencies.
+///
+/// A damped beam is followed at the same phase θ = Ω t and not at the same time. There
+///
+///     f = Re[A exp(i θ)] + Re Σ_k B_k exp(λ_k θ/Ω),
+///
+/// with A and B_k of DampedForce, sums of P_k/(±i Ω - λ_k), |±i Ω - λ_k| ≥ |Re λ_k|, and with ρ = |λ_k|/|Re λ_k|
+///
+///     |d/dΩ exp(λ_k θ/Ω)| ≤ ρ/(e Ω),     |d²/dΩ² exp(λ_k θ/Ω)| ≤ (4 ρ²/e² + 2 ρ/e)/Ω²,
+///
+/// so that the bound of |d² f/dΩ²| does not grow with T. At Ω the time is 0 ≤ t ≤ T Ω_to/Ω.
 
 #include <cstddef>
+#include <limits>
 #include <map>
+#include <optional>
 #include <queue>
 #include <vector>
 
 #include "stickslip/analytic/bounds.hpp"
+#include "stickslip/analytic/damped_reaction.hpp"
+#include "stickslip/analytic/force_maximum.hpp"
 #include "stickslip/analytic/modal_reaction.hpp"
 #include "stickslip/data/problem.hpp"
 
@@ -37,6 +51,12 @@ struct FrequencyBand {
   double to_hz{};
 };
 
+/// What is looked at of a damped beam.
+enum class DampedForcePart {
+  start_up,  ///< the force from the start on
+  steady     ///< the amplitude of its steady part
+};
+
 /// The search for that largest force. Each call continues it.
 class BandMaximum {
  public:
@@ -45,6 +65,8 @@ class BandMaximum {
   BandMaximum(const data::Beam& beam, const FrequencyBand& band, double duration, int modes = 10);
   /// The same of a reaction.
   BandMaximum(const ModalReaction& reaction, const FrequencyBand& band, double duration);
+  BandMaximum(const DampedReaction& reaction, const FrequencyBand& band, double duration,
+              DampedForcePart part);
 
   /// Bounds of the largest |f_max| per unit amplitude, N/m, with upper - lower ≤ relative_width * lower, or
   /// wider as soon as they leave no doubt on which side of `limit` it is. Rigorous for the modes kept at
@@ -71,13 +93,23 @@ class BandMaximum {
   [[nodiscard]] Suprema between(double from, double to) const;
 
  private:
+  // A frequency, and what is known of the largest |f| there.
+  struct Decided {
+    double omega{};                     // rad/s
+    std::optional<ForceMaximum> force;  // nothing where `known` is all there is to know
+    Bounds known{0.0, std::numeric_limits<double>::infinity()};
+    [[nodiscard]] bool exceeds(double limit);
+    [[nodiscard]] Bounds refined() const;
+  };
   struct Interval {
     double from{}, to{};  // rad/s
     bool ends_known{};
     double upper{};
     [[nodiscard]] bool operator<(const Interval& other) const { return upper < other.upper; }
   };
-  struct Decided;
+  void divide(const FrequencyBand& band, const std::vector<double>& natural);
+  [[nodiscard]] Decided force_at(double omega) const;
+  [[nodiscard]] Suprema damped_between(double from, double to) const;
   [[nodiscard]] bool rises_above(Decided& from, Decided& to, double limit) const;
   [[nodiscard]] double upper_value(double omega);
   [[nodiscard]] bool stays_below(double from, double to, double limit, int halvings) const;
@@ -86,12 +118,14 @@ class BandMaximum {
   [[nodiscard]] Bounds bounds() const;
 
   ModalReaction reaction_;
+  std::optional<DampedReaction> damped_;
+  DampedForcePart part_{};
   double duration_;
   std::vector<double> marks_;        // the ends and the natural frequencies between them, rad/s, ascending
   std::map<double, double> values_;  // upper bound of |f_max| by Ω
   std::priority_queue<Interval> intervals_;
   double lower_ = 0.0;
-  double best_omega_;
+  double best_omega_ = 0.0;
 };
 
 }  // namespace stickslip::analytic

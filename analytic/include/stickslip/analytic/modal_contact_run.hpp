@@ -76,6 +76,10 @@ class ModalContactRun {
   [[nodiscard]] double time() const noexcept { return static_cast<double>(steps_) * time_step_; }
   [[nodiscard]] bool slips() const noexcept { return slips_; }                          ///< in the last step
   [[nodiscard]] double sliding_velocity() const noexcept { return sliding_velocity_; }  ///< v_s, m/s
+  /// The contact turned round in the last step, and may have stuck in between for less than a step: a contact with the acceleration
+  /// a before it stops takes a force of modulus |μ_s N - (m_c - a . a) |a|| to hold it at first, which is in reach to the accuracy
+  /// that |a| is known to by the last two steps. The steps do not follow the modes that make it slip again.
+  [[nodiscard]] bool may_hide_stick() const noexcept { return may_hide_stick_; }
   /// f_d of the last step, N.
   [[nodiscard]] double friction_force() const noexcept { return friction_force_; }
   [[nodiscard]] double contact_position() const;  ///< u_c - w, m
@@ -129,7 +133,10 @@ class ModalContactRun {
   std::size_t steps_{}, phase_{};  // since the start, and since the begin of a period
   double free_velocity_{};         // p
   double sliding_velocity_{}, friction_force_{}, force_before_{};
-  bool slips_{};
+  double change_{}, change_before_{};  // of the sliding velocity, in the last step and in the one before
+  double
+      free_step_{};  // what a unit of force changes of it in h, if the modes do not follow: h/(m_c - a . a)
+  bool slips_{}, may_hide_stick_{};
 };
 
 }  // namespace stickslip::analytic
