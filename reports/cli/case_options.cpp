@@ -113,8 +113,6 @@ data::Override override_with(const std::string& key, double value, const std::st
   return {key, data::shortest_text(value), option};
 }
 
-}
-
 std::vector<std::string> sentences_of(const std::vector<studies::Warning>& warnings) {
   std::vector<std::string> sentences;
   for (const auto& warning : warnings) sentences.push_back(warning.sentence);
