@@ -24,7 +24,6 @@
 #include "studies/criterion/length_force_map.hpp"
 #include "studies/criterion/model_form.hpp"
 #include "studies/criterion/scope.hpp"
-#include "studies/paper/agreement.hpp"
 #include "studies/paper/figure_curves.hpp"
 #include "studies/paper/force_sensitivity.hpp"
 #include "studies/paper/paper_checks.hpp"
@@ -407,10 +406,6 @@ const Study printed_checks("printed_checks", "printed numbers",
                            [](Results& r) { return studies::printed_checks(r.paper); });
 const Study errata_evidence("errata_evidence", "errata",
                             [](Results& r) { return studies::errata_evidence(r.paper); });
-const Study agreement("agreement", "agreement with printed numbers and with results without a mesh",
-                      [](Results& r) {
-                        return studies::agreement(r(printed_checks), r(solution_verification));
-                      });
 
 // ---- Figures
 
@@ -420,20 +415,6 @@ FigureData figure(const std::string& name, CsvTable table, std::vector<FigureDat
 
 // Drawings that hold no numbers.
 FigureData schematic(Results& /*r*/) { return {}; }
-
-FigureData scatter(Results& r) {
-  const studies::Agreement& found = r(agreement);
-  std::vector<FigureData::Value> values;
-  for (const auto& [name, differences] : {std::pair{"printed", found.printed}, {"exact", found.exact}}) {
-    values.push_back({fmt::format("{}_count", name), static_cast<double>(differences.count), "1"});
-    values.push_back({fmt::format("{}_bias", name), differences.bias, "1"});
-    values.push_back({fmt::format("{}_spread", name), differences.spread, "1"});
-  }
-  return figure("scatter",
-                study_table("Computed values against their references", found.results,
-                            "what, reference, known_erratum, computed, expected, relative_difference"),
-                values);
-}
 
 FigureData figure2(Results& r) {
   const data::FrictionLaw& law = r.paper.friction;
@@ -752,8 +733,7 @@ FigureData map(Results& r) { return figure_of(stick_case(r), r(stiffness_map)); 
 }  // namespace
 
 const std::vector<Figure>& all_figures() {
-  static const std::vector<Figure> figures{{"scatter", scatter},
-                                           {"fig1", schematic},
+  static const std::vector<Figure> figures{{"fig1", schematic},
                                            {"fig2", figure2},
                                            {"fig8", schematic},
                                            {"convergence", convergence},

@@ -6,7 +6,6 @@
 #include "studies/common/problem_parameter.hpp"
 #include "studies/criterion/classification.hpp"
 #include "studies/criterion/critical_amplitude.hpp"
-#include "studies/paper/agreement.hpp"
 #include "studies/paper/figure_curves.hpp"
 #include "studies/stick/force_maximum.hpp"
 #include "studies/stick/frequencies.hpp"
@@ -125,41 +124,6 @@ TEST(DerivedResults, UnexplainedShareOfAnEnergyBalance) {
   EXPECT_EQ(mesh.largest_unexplained(), 4.25 / 16.0);  // with any of the steps
   mesh.stepped[1].kinetic = std::numeric_limits<double>::quiet_NaN();
   EXPECT_TRUE(std::isnan(mesh.largest_unexplained()));
-}
-
-TEST(DerivedResults, AgreementOfEachValue) {
-  studies::PrintedCheck holds;
-  holds.printed.id = "a", holds.method = "hand";
-  holds.printed.value = 4.0, holds.computed = 5.0, holds.allowed = 1.0;
-  studies::PrintedCheck fails = holds;
-  fails.allowed = 0.5;
-  studies::VerifiedResult verified;
-  verified.reference = 8.0;
-  verified.levels = {{10, 0.0, 9.0}, {20, 0.0, 7.0}};
-  studies::SolutionVerification verification;
-  verification.results = {verified};
-  const auto found = studies::agreement({holds, fails}, verification);
-  ASSERT_EQ(found.results.size(), 3U);
-  EXPECT_EQ(found.results[0].what, "a by hand");
-  EXPECT_EQ(found.results[0].reference, "printed");
-  EXPECT_EQ(found.results[0].relative_difference(), 0.25);
-  EXPECT_FALSE(found.results[0].known_erratum);
-  EXPECT_TRUE(found.results[1].known_erratum);
-  EXPECT_EQ(found.results[2].reference, "mesh-free");
-  EXPECT_EQ(found.results[2].relative_difference(), 0.125);
-  EXPECT_EQ(found.printed.count, 1U);
-  EXPECT_EQ(found.exact.bias, 0.125);
-}
-
-TEST(DerivedResults, MeanAndDeviationOfAgreement) {
-  const auto value = [](double computed, bool erratum = false, const char* reference = "printed") {
-    return studies::CheckedResult{"", reference, erratum, computed, 1.0};
-  };
-  const auto found = studies::differences_from(
-      {value(1.0), value(1.25), value(1.5), value(7.0, true), value(7.0, false, "mesh-free")}, "printed");
-  EXPECT_EQ(found.count, 3U);
-  EXPECT_DOUBLE_EQ(found.bias, 0.25);
-  EXPECT_DOUBLE_EQ(found.spread, 0.25);  // sqrt((0.25^2 + 0 + 0.25^2)/2)
 }
 
 STICKSLIP_VERIFIES(FrictionCurve, "P2");
