@@ -2,7 +2,7 @@
 #pragma once
 
 #include "answer.hpp"
-#include "studies/stick_slip/squeal.hpp"
+#include "studies/analyses/squeal.hpp"
 
 namespace stickslip::cli {
 

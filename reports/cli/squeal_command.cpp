@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "studies/stick_slip/squeal.hpp"
+#include "studies/analyses/squeal.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// Steady sliding on a wall that moves, and what follows from rest, by both implementations.
 
-#include "studies/stick_slip/squeal.hpp"
+#include "studies/analyses/squeal.hpp"
 
 #include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/analytic/free_mode_run.hpp"
