@@ -25,8 +25,14 @@ struct PartFile {
   MapPart part;
 };
 
+std::string text_in(const std::string& file) try {
+  return data::read_bounded(file, largest_file);
+} catch (const data::InputError& error) {
+  throw data::InputError(std::string("--merge: ") + error.what());
+}
+
 PartFile opened(const std::string& file) try {
-  std::string text = data::read_bounded(file, largest_file);
+  std::string text = text_in(file);
   const auto description = description_in(text);
   if (!description) fail_to_merge(file, "is no shard of a map");
   if (const auto by = description->value("program", "another program"); by != program())

@@ -14,7 +14,6 @@
 #include "support/contact_models.hpp"
 #include "support/error_message.hpp"
 #include "support/mesh.hpp"
-#include "support/parameter_name.hpp"
 #include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 
@@ -90,14 +89,6 @@ TEST(DampingMatrix, OfARatioRefusesMoreThan500Elements) {
           [] { (void)solver::damping_matrix(solver::BeamModel(paper_beam(), 501), of_critical(0.01)); }),
       "numerics.elements is 501, but must be at most 500 with a damping.ratio above 0, whose matrix is full");
 }
-
-// A damped free mode that starts from its full deflection at rest: q = Re[c exp(lambda t)], lambda = -zeta
-// omega + i omega sqrt(1 - zeta^2), c = 1 - i zeta/sqrt(1 - zeta^2). At spectral radius 1 the method is the
-// trapezoidal rule, for which lambda becomes lambda_h = (2/h) artanh(lambda h/2) = lambda [1 + (lambda
-// h)^2/12 + ...] and c stays.
-class FreeDecay : public ::testing::TestWithParam<double> {};
-
-INSTANTIATE_TEST_SUITE_P(Ratio, FreeDecay, ::testing::Values(0.005, 0.05, 0.3), NameOfDouble());
 
 }  // namespace
 }  // namespace stickslip::testing
