@@ -209,7 +209,7 @@ std::optional<double> first_slip(const data::Beam& beam, const data::FrictionLaw
   // The linear run, tens of times as fast, has the forces of these steps to rounding, far less than this margin.
   constexpr double margin = 1e-6;
   if (coordinates_of(run, numerics.elements()) == Coordinates::modal &&
-      max_abs_friction_force(beam, excitation, numerics) <
+      max_abs_friction_force(beam, excitation, numerics, {}, Coordinates::modal) <
           (1.0 - margin) * friction.static_coefficient() * beam.axial_force())
     return std::nullopt;
   const auto& events = simulation.integrator().events();
