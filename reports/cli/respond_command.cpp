@@ -8,7 +8,7 @@
 #include "command.hpp"
 #include "commands.hpp"
 #include "history_output.hpp"
-#include "studies/analyses/large_deflection.hpp"
+#include "studies/criterion/problem_warnings.hpp"
 #include "studies/history/runs.hpp"
 
 namespace stickslip::cli {
@@ -73,9 +73,7 @@ Answer respond(const RespondOptions& options, Outputs& outputs) {
                                                      : "nothing is kept");
   });
   // Of a method in time steps all of them are looked at, so that the largest values are those of the run.
-  const bool has_steps = method.inquiry == studies::Inquiry::stepped_history ||
-                         method.inquiry == studies::Inquiry::boundary_integral_history;
-  const long step = has_steps ? 1 : output.row_step();
+  const long step = method.in_time_steps ? 1 : output.row_step();
   const auto history = method.run(problem, {.every = step}, choices,
                                   [&](const studies::HistoryRow& row) { output.add(row, step); });
   output.finish(history);

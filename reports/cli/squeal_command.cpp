@@ -16,7 +16,7 @@
 #include "range_text.hpp"
 #include "render/csv_table.hpp"
 #include "render/drawing.hpp"
-#include "studies/analyses/large_deflection.hpp"
+#include "studies/criterion/problem_warnings.hpp"
 
 namespace stickslip::cli {
 

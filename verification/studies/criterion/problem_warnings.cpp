@@ -290,6 +290,19 @@ std::vector<std::string> warnings_after(const data::Case& problem, Inquiry inqui
   return sentences;
 }
 
+double curvature_error(const data::Beam& beam, double deflection) {
+  return 27.0 / 8.0 * std::pow(deflection / beam.length(), 2);
+}
+
+std::optional<std::string> deflection_warning(const data::Beam& beam, double deflection) {
+  const double error = curvature_error(beam, deflection);
+  if (!(error > allowed_model_error)) return std::nullopt;
+  return fmt::format(
+      "the tip is deflected by {:.3g} m, {:.2g} % of the length: the model is that of small slopes, and its "
+      "curvature is then wrong by about {:.2g} %",
+      std::abs(deflection), 100.0 * std::abs(deflection) / beam.length(), 100.0 * error);
+}
+
 std::vector<Warning> warnings_common_to(const data::Case& problem,
                                         const std::vector<std::string_view>& varied) {
   if (problem.beam.axial_force() >= analytic::stick_buckling_load(problem.beam)) return {};

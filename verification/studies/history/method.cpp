@@ -61,7 +61,8 @@ const std::vector<Method>& methods() {
         {Feature::start_at_rest, quasi_static},
         {Feature::contact_scheme, elements_only}},
        require_steps,
-       boundary_integral_history},
+       boundary_integral_history,
+       true},
       {"closed-form",
        Inquiry::closed_form_history,
        {{Feature::slip,
@@ -84,7 +85,7 @@ const std::vector<Method>& methods() {
         {Feature::contact_scheme, elements_only}},
        [](const data::Case& problem) { require_periods(problem, most_periods_by_events); },
        event_driven_history},
-      {"fe", Inquiry::stepped_history, {}, require_nothing, finite_element_history}};
+      {"fe", Inquiry::stepped_history, {}, require_nothing, finite_element_history, true}};
   return all;
 }
 

@@ -59,6 +59,8 @@ struct Method {
   /// Throws what the implementation throws.
   History (*run)(const data::Case& problem, const Sampling& sampling, const RunChoices& choices,
                  const RowSink& sink){};
+  /// It goes from time step to time step, so that a row at each of them costs little.
+  bool in_time_steps{};
 
   /// Throws data::FieldError if the method cannot do the feature, which the field with that value asks for.
   void require(Feature feature, std::string_view field, const std::string& value) const;
