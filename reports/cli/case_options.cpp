@@ -123,6 +123,11 @@ std::vector<std::string> warnings_of(const data::Case& problem, studies::Inquiry
   return sentences_of(studies::problem_warnings(problem, inquiry, frequencies));
 }
 
+Json change_json(const std::optional<studies::Change>& change) {
+  if (!change) return nullptr;
+  return {{"key", change->key}, {"factor", change->factor}, {"margin", change->margin}};
+}
+
 std::string conditions_of(const data::Case& problem, const std::string& hz) {
   return fmt::format("{}: {} Hz, {} m, 0 to {} s", problem.name,
                      hz.empty() ? data::shortest_text(problem.excitation.frequency_hz()) : hz,

@@ -16,6 +16,7 @@
 #include "answer.hpp"
 #include "command.hpp"
 #include "stickslip/data/case_file.hpp"
+#include "studies/analyses/criterion_answer.hpp"
 #include "studies/common/problem_parameter.hpp"
 #include "studies/criterion/problem_warnings.hpp"
 
@@ -82,6 +83,9 @@ void require_no_fixed_value(const ExcitationOptions& excitation, std::string_vie
 /// The sentences of studies::problem_warnings().
 [[nodiscard]] std::vector<std::string> warnings_of(const data::Case& problem, studies::Inquiry inquiry,
                                                    int frequencies = 0);
+
+/// The members of a change of a key, or null.
+[[nodiscard]] Json change_json(const std::optional<studies::Change>& change);
 
 /// "NAME: 30 Hz, 0.001 m, 0 to 2 s", with another text for the frequency if it is given.
 [[nodiscard]] std::string conditions_of(const data::Case& problem, const std::string& hz = "");

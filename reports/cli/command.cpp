@@ -231,14 +231,13 @@ void add_figure_option(CLI::App& command, std::string& figure, const std::string
                ? ""
                : fmt::format("is {}, but must be WIDTHxHEIGHT, each 4 to 100 cm", data::printable(text));
   };
-  for (CLI::Option* option :
-       {command
-            .add_option_function<std::string>(
-                "--size", [](const std::string&) {}, "Of the figure, cm")
-            ->type_name("WIDTHxHEIGHT")
-            ->check(CLI::Validator(is_size, "")),
-        command.add_option_function<std::string>(
-            "--title", [](const std::string&) {}, "Of the figure (else the name of the case)")})
+  for (CLI::Option* option : {command.add_option("--size")
+                                  ->description("Of the figure, cm")
+                                  ->type_name("WIDTHxHEIGHT")
+                                  ->check(CLI::Validator(is_size, "")),
+                              command.add_option("--title")
+                                  ->description("Of the figure (else the name of the case)")
+                                  ->type_name("TEXT")})
     option->needs("--figure");
 }
 

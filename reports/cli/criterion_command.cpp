@@ -77,7 +77,7 @@ void add_outlook(Answer& answer, const studies::CriterionAnswer& found) {
   if (const auto& best = found.best_change)
     answer.add_row({"best change by a tenth",
                     "best_change",
-                    {{{"key", best->key}, {"factor", best->factor}, {"margin", best->margin}},
+                    {change_json(best),
                      fmt::format("{} times {}: margin {:.4g}", best->key, best->factor, best->margin)}});
   else
     answer.add_members({{"best_change", nullptr}});

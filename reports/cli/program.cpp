@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "program.hpp"
 
-#include <fmt/format.h>
 #include <sched.h>
 
 #include <CLI/CLI.hpp>
@@ -13,7 +12,6 @@
 #include "exit_status.hpp"
 #include "output_file.hpp"
 #include "stickslip/data/input_error.hpp"
-#include "stickslip/version.hpp"
 #include "studies/common/parallel.hpp"
 
 namespace stickslip::cli {
@@ -23,7 +21,7 @@ namespace {
 void add_commands(CLI::App& app) {
   app.require_subcommand(0, 1);  // run() requires one, so that a misspelt one is named
   app.option_defaults()->disable_flag_override();
-  app.set_version_flag("--version", fmt::format("stickslip {} (commit {})", version, commit));
+  app.set_version_flag("--version", program());
   for (const auto add_to : all_commands) add_to(app);
   add_quiet_option(app);
   add_examples(app, {"stickslip criterion steel-strip", "stickslip criterion --help"});

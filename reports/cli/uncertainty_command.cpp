@@ -118,12 +118,10 @@ std::string advice(Answer& answer, const studies::SlipUncertainty& result) {
   const std::string& decisive = result.tornado[result.decisive].key;
   const std::string halved = with_interval(result.probability_with_half_spread, 5);
   const auto& best = result.best_change;
-  answer.add_members(
-      {{"decisive", decisive},
-       {"tighten", result.tightening_helps ? Json(decisive) : Json()},
-       {"probability_with_half_spread", to_json(result.probability_with_half_spread)},
-       {"best_change",
-        best ? Json{{"key", best->key}, {"factor", best->factor}, {"margin", best->margin}} : Json()}});
+  answer.add_members({{"decisive", decisive},
+                      {"tighten", result.tightening_helps ? Json(decisive) : Json()},
+                      {"probability_with_half_spread", to_json(result.probability_with_half_spread)},
+                      {"best_change", change_json(best)}});
   if (result.slips == 0) return "No sample slips.";
   if (result.tightening_helps)
     return fmt::format(
