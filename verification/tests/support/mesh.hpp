@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// The beam on a mesh: its energies, its tip held or free of friction.
+/// The beam on a mesh: its energies, its tip held.
 
 #include <Eigen/Dense>
 
@@ -27,20 +27,6 @@ inline Eigen::MatrixXd with_held_tip(const solver::BeamModel& model, const solve
   held.col(tip).setZero();
   held(tip, tip) = 1.0;
   return held;
-}
-
-/// The beam with a tip that slides without friction, a linear system: no normal force, and a wall that is faster than any
-/// tip (1 km/s), so that the sliding velocity never changes its sign and no step is divided.
-inline solver::ContactSystem free_tip_system(const solver::BeamModel& model,
-                                             const solver::PrescribedMotion& base,
-                                             const data::Damping& damping) {
-  constexpr double speed = 1e3;
-  solver::ContactSystem system = solver::beam_contact_system(model, data::FrictionLaw({}), base, damping);
-  system.normal_force = 0.0;
-  system.wall = {.displacement = [](double t) { return speed * t; },
-                 .velocity = [](double) { return speed; },
-                 .acceleration = [](double) { return 0.0; }};
-  return system;
 }
 
 }  // namespace stickslip::testing
