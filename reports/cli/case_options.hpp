@@ -17,8 +17,8 @@
 #include "command.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "studies/analyses/criterion_answer.hpp"
+#include "studies/analyses/problem_warnings.hpp"
 #include "studies/common/problem_parameter.hpp"
-#include "studies/criterion/problem_warnings.hpp"
 
 namespace stickslip::cli {
 

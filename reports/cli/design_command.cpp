@@ -13,7 +13,7 @@
 #include "commands.hpp"
 #include "range_text.hpp"
 #include "stickslip/analytic/criterion.hpp"
-#include "studies/criterion/design_guide.hpp"
+#include "studies/analyses/design_guide.hpp"
 
 namespace stickslip::cli {
 

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "answer.hpp"
-#include "studies/criterion/criterion_map.hpp"
+#include "studies/analyses/criterion_map.hpp"
 
 namespace stickslip::cli {
 

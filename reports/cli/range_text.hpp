@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "studies/criterion/criterion_map.hpp"
-#include "studies/criterion/design_guide.hpp"
+#include "studies/analyses/criterion_map.hpp"
+#include "studies/analyses/design_guide.hpp"
 
 namespace stickslip::cli {
 

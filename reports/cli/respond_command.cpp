@@ -8,7 +8,7 @@
 #include "command.hpp"
 #include "commands.hpp"
 #include "history_output.hpp"
-#include "studies/criterion/problem_warnings.hpp"
+#include "studies/analyses/problem_warnings.hpp"
 #include "studies/history/runs.hpp"
 
 namespace stickslip::cli {

@@ -16,7 +16,7 @@
 #include "range_text.hpp"
 #include "render/csv_table.hpp"
 #include "render/drawing.hpp"
-#include "studies/criterion/problem_warnings.hpp"
+#include "studies/analyses/problem_warnings.hpp"
 
 namespace stickslip::cli {
 

@@ -9,7 +9,7 @@
 #include "command.hpp"
 #include "commands.hpp"
 #include "range_text.hpp"
-#include "studies/uncertainty/slip_probability.hpp"
+#include "studies/analyses/slip_probability.hpp"
 
 namespace stickslip::cli {
 

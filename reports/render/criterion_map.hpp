@@ -7,7 +7,7 @@
 #include "render/csv_table.hpp"
 #include "render/drawing.hpp"
 #include "stickslip/data/problem.hpp"
-#include "studies/criterion/criterion_map.hpp"
+#include "studies/analyses/criterion_map.hpp"
 
 namespace stickslip::report {
 

@@ -15,9 +15,9 @@
 #include "stickslip/analytic/event_driven.hpp"
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
+#include "studies/analyses/contact_response.hpp"
+#include "studies/analyses/criterion_map.hpp"
 #include "studies/common/problem_parameter.hpp"
-#include "studies/criterion/criterion_map.hpp"
-#include "studies/stick_slip/contact_response.hpp"
 
 namespace stickslip::benchmarks {
 namespace {

@@ -9,8 +9,8 @@
 
 #include "comparison/diagnosis/wrong_models.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
-#include "studies/stick/stick_sum.hpp"
-#include "studies/stick_slip/tip_run.hpp"
+#include "studies/verification/stick_sum.hpp"
+#include "studies/verification/tip_run.hpp"
 
 namespace stickslip::comparison {
 

@@ -18,8 +18,8 @@
 #include "stickslip/analytic/damped_steady_state.hpp"
 #include "stickslip/analytic/event_driven.hpp"
 #include "studies/history/runs.hpp"
-#include "studies/stick_slip/damped_benchmark.hpp"
-#include "studies/stick_slip/finite_element_contact_model.hpp"
+#include "studies/verification/damped_benchmark.hpp"
+#include "studies/verification/finite_element_contact_model.hpp"
 
 namespace stickslip::reference {
 

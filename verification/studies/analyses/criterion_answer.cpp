@@ -13,8 +13,8 @@
 #include "stickslip/analytic/timoshenko_modes.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "studies/analyses/natural_frequencies.hpp"
+#include "studies/analyses/problem_warnings.hpp"
 #include "studies/common/parallel.hpp"
-#include "studies/criterion/problem_warnings.hpp"
 
 namespace stickslip::studies {
 

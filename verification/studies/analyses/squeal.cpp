@@ -11,9 +11,9 @@
 #include "stickslip/analytic/tip_mobility.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "stickslip/solver/sliding_stability.hpp"
+#include "studies/analyses/contact_response.hpp"
 #include "studies/analyses/natural_frequencies.hpp"
 #include "studies/common/hertz.hpp"
-#include "studies/stick_slip/contact_response.hpp"
 
 namespace stickslip::studies {
 

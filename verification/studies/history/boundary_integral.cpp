@@ -5,8 +5,8 @@
 
 #include "stickslip/analytic/beam_boundary_integral.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
+#include "studies/common/convergence.hpp"
 #include "studies/common/problem_parameter.hpp"
-#include "studies/convergence/convergence.hpp"
 #include "studies/history/runs.hpp"
 
 namespace stickslip::studies {

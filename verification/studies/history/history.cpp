@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "stickslip/solver/beam_simulation.hpp"
-#include "studies/convergence/convergence.hpp"
+#include "studies/common/convergence.hpp"
 
 namespace stickslip::studies {
 

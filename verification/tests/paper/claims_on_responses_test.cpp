@@ -4,7 +4,7 @@
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/data/paper.hpp"
-#include "studies/stick_slip/contact_histories.hpp"
+#include "studies/verification/contact_histories.hpp"
 #include "support/beams.hpp"
 #include "support/claims.hpp"
 #include "support/paper_case.hpp"

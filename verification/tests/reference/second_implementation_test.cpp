@@ -20,7 +20,7 @@
 #include "stickslip/data/reference.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "stickslip/solver/modal_stick_run.hpp"
-#include "studies/stick_slip/finite_element_contact_model.hpp"
+#include "studies/verification/finite_element_contact_model.hpp"
 #include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 

@@ -9,7 +9,7 @@
 
 #include "stickslip/solver/beam_simulation.hpp"
 #include "stickslip/solver/modal_analysis.hpp"
-#include "studies/convergence/convergence.hpp"
+#include "studies/common/convergence.hpp"
 #include "support/beams.hpp"
 #include "support/contact_models.hpp"
 #include "support/error_message.hpp"

@@ -9,8 +9,8 @@
 
 #include "stickslip/solver/beam_simulation.hpp"
 #include "stickslip/solver/energy_balance.hpp"
-#include "studies/convergence/convergence.hpp"
-#include "studies/stick_slip/energy_audit.hpp"
+#include "studies/common/convergence.hpp"
+#include "studies/verification/energy_audit.hpp"
 #include "support/beams.hpp"
 #include "support/contact_models.hpp"
 #include "support/order.hpp"

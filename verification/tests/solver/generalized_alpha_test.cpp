@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "stickslip/solver/generalized_alpha.hpp"
-#include "studies/convergence/discretisation.hpp"
+#include "studies/common/discretisation.hpp"
 #include "support/requirements.hpp"
 #include "support/tolerance.hpp"
 

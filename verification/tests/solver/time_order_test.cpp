@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "stickslip/solver/stick_slip_integrator.hpp"
-#include "studies/convergence/convergence.hpp"
-#include "studies/convergence/discretisation.hpp"
-#include "studies/convergence/time_order.hpp"
+#include "studies/common/convergence.hpp"
+#include "studies/common/discretisation.hpp"
+#include "studies/verification/time_order.hpp"
 #include "support/contact_models.hpp"
 #include "support/order.hpp"
 #include "support/parameter_name.hpp"

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 /// The bound of the growth of a disturbance: closed forms, meshes, modes, steps, and runs that obey it.
 
-#include "studies/stick_slip/contact_growth.hpp"
+#include "studies/history/contact_growth.hpp"
 #include "stickslip/analytic/boundary_integral.hpp"
 #include "stickslip/analytic/slip_modes.hpp"
 #include "stickslip/analytic/tip_mobility.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
-#include "studies/criterion/problem_warnings.hpp"
+#include "studies/analyses/problem_warnings.hpp"
+#include "studies/history/converged_history.hpp"
+#include "studies/history/history_convergence.hpp"
 #include "studies/history/runs.hpp"
-#include "studies/stick_slip/converged_history.hpp"
-#include "studies/stick_slip/history_convergence.hpp"
 #include "support/beams.hpp"
 #include "support/contact_models.hpp"
 #include "support/testing.hpp"

@@ -2,14 +2,14 @@
 /// The fast contact run in fixed steps against converged histories, its law and energy, and what maps and sweeps
 /// say of a motion.
 
-#include "studies/stick_slip/contact_response.hpp"
+#include "studies/analyses/contact_response.hpp"
 
 #include "stickslip/analytic/damped_reaction.hpp"
 #include "stickslip/analytic/event_driven.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/data/reference.hpp"
-#include "studies/criterion/criterion_map.hpp"
-#include "studies/stick_slip/parameter_sweep.hpp"
+#include "studies/analyses/criterion_map.hpp"
+#include "studies/analyses/parameter_sweep.hpp"
 #include "support/contact_models.hpp"
 #include "support/testing.hpp"
 

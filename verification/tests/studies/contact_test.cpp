@@ -3,10 +3,10 @@
 
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
-#include "studies/convergence/discretisation.hpp"
-#include "studies/criterion/classification.hpp"
-#include "studies/criterion/critical_amplitude.hpp"
-#include "studies/stick_slip/contact_histories.hpp"
+#include "studies/analyses/critical_amplitude.hpp"
+#include "studies/common/discretisation.hpp"
+#include "studies/verification/classification.hpp"
+#include "studies/verification/contact_histories.hpp"
 #include "support/beams.hpp"
 #include "support/testing.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <random>
 
-#include "studies/convergence/convergence.hpp"
+#include "studies/common/convergence.hpp"
 #include "support/order.hpp"
 #include "support/testing.hpp"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 /// The margin to slipping over a band of frequencies, and the lengths and axial forces that keep it.
 
-#include "studies/criterion/design_guide.hpp"
+#include "studies/analyses/design_guide.hpp"
 #include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/damped_reaction.hpp"
-#include "studies/criterion/length_force_map.hpp"
+#include "studies/analyses/length_force_map.hpp"
 #include "support/beams.hpp"
 #include "support/error_message.hpp"
 #include "support/testing.hpp"

@@ -11,7 +11,7 @@
 #include "stickslip/solver/energy_balance.hpp"
 #include "stickslip/solver/held_tip_basis.hpp"
 #include "stickslip/solver/modal_analysis.hpp"
-#include "studies/stick_slip/finite_element_contact_model.hpp"
+#include "studies/verification/finite_element_contact_model.hpp"
 #include "support/beams.hpp"
 #include "support/contact_models.hpp"
 #include "support/order.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// What moves the printed |f_max|, against what theory says of each factor.
 
-#include "studies/paper/force_sensitivity.hpp"
+#include "studies/verification/force_sensitivity.hpp"
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "studies/common/common_digits.hpp"

@@ -7,7 +7,7 @@
 
 #include "stickslip/analytic/beam_boundary_integral.hpp"
 #include "stickslip/data/case_file.hpp"
-#include "studies/convergence/convergence.hpp"
+#include "studies/common/convergence.hpp"
 #include "studies/history/runs.hpp"
 #include "studies/history/spectrum.hpp"
 #include "support/error_message.hpp"

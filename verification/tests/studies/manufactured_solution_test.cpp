@@ -2,7 +2,7 @@
 /// Manufactured solutions: the finite elements and the time stepper return a motion that is no polynomial,
 /// under the load and the tip force that it implies, with the orders and the constants of theory.
 
-#include "studies/convergence/manufactured_solution.hpp"
+#include "studies/verification/manufactured_solution.hpp"
 #include "support/beams.hpp"
 #include "support/order.hpp"
 #include "support/testing.hpp"

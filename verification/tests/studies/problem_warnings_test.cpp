@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 /// Warnings about cases outside the range of validity: each begins at the limit that theory gives.
 
-#include "studies/criterion/problem_warnings.hpp"
+#include "studies/analyses/problem_warnings.hpp"
 #include "stickslip/analytic/slip_modes.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/analytic/timoshenko_modes.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
+#include "studies/common/discretisation.hpp"
 #include "studies/common/problem_parameter.hpp"
-#include "studies/convergence/discretisation.hpp"
 #include "studies/history/runs.hpp"
 #include "support/error_message.hpp"
 #include "support/testing.hpp"

@@ -8,7 +8,7 @@
 #include "stickslip/analytic/modal_contact_run.hpp"
 #include "stickslip/data/reference.hpp"
 #include "stickslip/solver/energy_balance.hpp"
-#include "studies/stick_slip/contact_growth.hpp"
+#include "studies/history/contact_growth.hpp"
 #include "support/contact_models.hpp"
 #include "support/testing.hpp"
 

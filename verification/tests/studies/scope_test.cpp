@@ -2,18 +2,18 @@
 /// The largest force of a start-up against the steady force, what duration, damping and shear change, and what both
 /// implementations refuse.
 
-#include "studies/criterion/scope.hpp"
+#include "studies/verification/scope.hpp"
 #include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/modal_reaction.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "stickslip/solver/modal_analysis.hpp"
+#include "studies/analyses/problem_warnings.hpp"
+#include "studies/common/discretisation.hpp"
 #include "studies/common/problem_parameter.hpp"
-#include "studies/convergence/discretisation.hpp"
-#include "studies/criterion/problem_warnings.hpp"
+#include "studies/history/history_convergence.hpp"
 #include "studies/history/runs.hpp"
-#include "studies/stick_slip/history_convergence.hpp"
 #include "support/beams.hpp"
 #include "support/error_message.hpp"
 #include "support/paper_case.hpp"

@@ -11,8 +11,8 @@
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "stickslip/solver/modal_analysis.hpp"
-#include "studies/convergence/discretisation.hpp"
-#include "studies/stick_slip/contact_histories.hpp"
+#include "studies/common/discretisation.hpp"
+#include "studies/verification/contact_histories.hpp"
 #include "support/random_beams.hpp"
 #include "support/testing.hpp"
 

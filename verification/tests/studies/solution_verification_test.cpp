@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// The discretisation uncertainties of the paper's results, against errors that the closed form knows.
 
-#include "studies/paper/solution_verification.hpp"
+#include "studies/verification/solution_verification.hpp"
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "support/testing.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// The modal sum of the stick state against its equation of motion, integrated here by other means.
 
-#include "studies/stick/stick_sum.hpp"
+#include "studies/verification/stick_sum.hpp"
 #include "support/testing.hpp"
 
 namespace stickslip::testing {

@@ -8,9 +8,9 @@
 #include <span>
 
 #include "stickslip/analytic/damped_reaction.hpp"
+#include "studies/analyses/design_guide.hpp"
+#include "studies/analyses/slip_probability.hpp"
 #include "studies/common/parallel.hpp"
-#include "studies/criterion/design_guide.hpp"
-#include "studies/uncertainty/slip_probability.hpp"
 #include "support/beams.hpp"
 #include "support/error_message.hpp"
 #include "support/testing.hpp"

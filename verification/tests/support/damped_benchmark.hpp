@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "studies/stick_slip/damped_benchmark.hpp"
+#include "studies/verification/damped_benchmark.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {

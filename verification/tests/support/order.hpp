@@ -13,7 +13,7 @@
 #include <sstream>
 #include <vector>
 
-#include "studies/convergence/convergence.hpp"
+#include "studies/common/convergence.hpp"
 #include "support/tolerance.hpp"
 
 namespace stickslip::testing {

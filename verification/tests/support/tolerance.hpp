@@ -14,7 +14,7 @@
 #include <sstream>
 #include <string>
 
-#include "studies/convergence/convergence.hpp"
+#include "studies/common/convergence.hpp"
 #include "support/trace.hpp"
 
 namespace stickslip::testing {

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: MIT
+#include "studies/analyses/contact_response.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include "stickslip/analytic/beam_contact_model.hpp"
+#include "stickslip/data/input_error.hpp"
+
+namespace stickslip::studies {
+
+namespace {
+
+using Sample = std::vector<std::complex<double>>;
+
+constexpr double rounding = 1e-9;  // of a number of periods or steps
+
+double squared_distance(const Sample& a, const Sample& b) {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < a.size(); ++k) sum += std::norm(a[k] - b[k]);
+  return sum;
+}
+
+// The largest squared distance of a sample from the one so many later.
+double squared_return(std::span<const Sample> samples, std::size_t period) {
+  double largest = 0.0;
+  for (std::size_t n = 0; n + period < samples.size(); ++n)
+    largest = std::max(largest, squared_distance(samples[n], samples[n + period]));
+  return largest;
+}
+
+// What adds up over steps, or is the largest.
+struct Sums {
+  std::size_t slip_steps{}, captures{}, doubtful{};
+  double peak_speed{}, squares{}, travel{}, work{}, largest_force{};
+
+  void add(const Sums& other) {
+    slip_steps += other.slip_steps;
+    captures += other.captures;
+    doubtful += other.doubtful;
+    peak_speed = std::max(peak_speed, other.peak_speed);
+    squares += other.squares;
+    travel += other.travel;
+    work += other.work;
+    largest_force = std::max(largest_force, other.largest_force);
+  }
+};
+
+// One period of the base motion.
+Sums period_of_motion(analytic::ModalContactRun& run, int steps) {
+  Sums sums;
+  double before = run.sliding_velocity();
+  bool slipped = run.slips();
+  for (int n = 0; n < steps; ++n) {
+    run.step();
+    const double after = run.sliding_velocity(), mean = 0.5 * (before + after), force = run.friction_force();
+    sums.slip_steps += run.slips() ? 1 : 0;
+    sums.captures += slipped && !run.slips() ? 1 : 0;
+    sums.doubtful += run.may_hide_stick() ? 1 : 0;
+    sums.peak_speed = std::max(sums.peak_speed, std::abs(after));
+    sums.squares += after * after;
+    sums.travel += std::abs(mean);
+    sums.work -= force * mean;
+    sums.largest_force = std::max(sums.largest_force, std::abs(force));
+    before = after;
+    slipped = run.slips();
+  }
+  sums.travel *= run.time_step();
+  sums.work *= run.time_step();
+  return sums;
+}
+
+MotionValues values_of(const Sums& sums, std::span<const Sample> samples, int steps_per_period) {
+  const auto periods = static_cast<double>(samples.size() - 1);
+  const double steps = periods * steps_per_period;
+  return {.slip_share = static_cast<double>(sums.slip_steps) / steps,
+          .peak_speed = sums.peak_speed,
+          .rms_speed = std::sqrt(sums.squares / steps),
+          .travel = sums.travel / periods,
+          .work = sums.work / periods,
+          .largest_force = sums.largest_force,
+          .sticks = static_cast<double>(sums.captures) / periods,
+          .period = static_cast<double>(period_of(samples))};
+}
+
+struct Record {
+  bool slips{};
+  MotionValues whole{}, first{}, second{};
+  double hidden_sticks{};  // in a period, that may be shorter than a step
+};
+
+Record record_of(analytic::ModalContactRun& run, const ResponseGrid& grid) {
+  run.start_stuck();
+  for (int n = 0; n < grid.transient * grid.steps_per_period; ++n) run.step();
+  const int half = grid.recorded / 2;
+  std::vector<Sample> samples{run.amplitudes()};
+  std::array<Sums, 2> halves;
+  for (int period = 0; period < grid.recorded; ++period) {
+    halves[period < half ? 0 : 1].add(period_of_motion(run, grid.steps_per_period));
+    samples.push_back(run.amplitudes());
+  }
+  const std::span all(samples);
+  const auto of = [&](const Sums& sums, std::span<const Sample> part) {
+    return values_of(sums, part, grid.steps_per_period);
+  };
+  const auto middle = static_cast<std::size_t>(half);
+  Record record{.first = of(halves[0], all.first(middle + 1)), .second = of(halves[1], all.subspan(middle))};
+  halves[0].add(halves[1]);
+  record.slips = halves[0].slip_steps > 0;
+  record.whole = of(halves[0], all);
+  record.hidden_sticks = static_cast<double>(halves[0].doubtful) / grid.recorded;
+  return record;
+}
+
+// What whole steps leave open: each slip begins and ends somewhere in a step, and a short stick may be missed.
+double resolution_of(const MotionQuantity& quantity, const Record& record, const ResponseGrid& grid) {
+  if (quantity.value == &MotionValues::sticks) return record.hidden_sticks;
+  if (quantity.value != &MotionValues::slip_share) return 0.0;
+  return (record.whole.sticks + record.hidden_sticks) / grid.steps_per_period;
+}
+
+ResponseValue checked(const MotionQuantity& quantity, const std::array<double, 4>& values,
+                      double resolution) {
+  if (!std::ranges::all_of(values, [](double value) { return std::isfinite(value); }))
+    return {.value = 0.0, .change = 1.0};
+  const auto [least, largest] = std::ranges::minmax(values);
+  const double spread = largest - least + resolution;
+  if (quantity.value == &MotionValues::period) return {values[0], spread > 0.0 || least == 0.0 ? 1.0 : 0.0};
+  // The work is not negative but for rounding.
+  return {values[0], spread > 0.0 ? std::min(spread / std::max({largest, -least, spread}), 1.0) : 0.0};
+}
+
+}  // namespace
+
+const MotionQuantity& motion_quantity(std::string_view name) {
+  const auto* const found = std::ranges::find(motion_quantities, name, &MotionQuantity::name);
+  if (found == motion_quantities.end())
+    throw std::invalid_argument("there is no quantity " + std::string(name));
+  return *found;
+}
+
+int period_of(std::span<const Sample> samples) {
+  constexpr std::size_t longest = 16;
+  constexpr double of_the_size = 1e-3, of_the_difference = 1e-2;
+  double size = 0.0;
+  for (const Sample& z : samples) size = std::max(size, squared_distance(z, Sample(z.size())));
+  double allowed = of_the_size * of_the_size * size;
+  for (std::size_t period = 1; period <= longest && 2 * period <= samples.size(); ++period) {
+    const double distance = squared_return(samples, period);
+    if (distance <= allowed) return static_cast<int>(period);
+    if (period == 1) allowed = std::min(allowed, of_the_difference * of_the_difference * distance);
+  }
+  return 0;
+}
+
+int steps_per_period(const data::Case& problem) {
+  constexpr double least_pairs = 16.0, most_pairs = 1e8;
+  const double period = 1.0 / problem.excitation.frequency_hz();
+  const double pairs = std::ceil(0.5 * period / problem.numerics.time_step() - rounding);
+  if (pairs > most_pairs)
+    throw data::FieldError("numerics.time_step", problem.numerics.time_step(),
+                           "at least " + data::shortest_text(0.5 * period / most_pairs) +
+                               " (s), 2e8 steps in a period of the base motion");
+  return 2 * static_cast<int>(std::max(pairs, least_pairs));
+}
+
+ResponseGrid response_grid(const data::Case& problem, double transient) {
+  const double period = 1.0 / problem.excitation.frequency_hz(), duration = problem.numerics.duration();
+  const double left_out = std::ceil(transient / period - rounding);
+  const double recorded = std::floor(duration / period + rounding) - left_out;
+  if (!(recorded >= 2.0))
+    throw data::FieldError("excitation.duration", duration,
+                           "long enough for the transient and two periods of the base motion, " +
+                               data::shortest_text((left_out + 2.0) * period) + " s");
+  return {.steps_per_period = steps_per_period(problem),
+          .transient = static_cast<int>(left_out),
+          .recorded = 2 * static_cast<int>(0.5 * recorded)};
+}
+
+analytic::ContactModel response_model(const data::Case& problem) {
+  return analytic::BeamContactModel(problem.beam, problem.friction, problem.excitation, problem.damping,
+                                    problem.numerics.modes(), problem.wall)
+      .model();
+}
+
+ContactResponse contact_response(const data::Case& problem, double transient,
+                                 const analytic::ContactModes* modes) {
+  const ResponseGrid grid = response_grid(problem, transient);
+  const analytic::ContactModel model = response_model(problem);
+  std::optional<analytic::ContactModes> own;
+  if (modes == nullptr) modes = &own.emplace(model);
+  analytic::ModalContactRun fine(*modes, model, grid.steps_per_period),
+      coarse(*modes, model, grid.steps_per_period / 2);
+  const Record record = record_of(fine, grid);
+  ResponseGrid coarser = grid;
+  coarser.steps_per_period /= 2;
+  const Record check = record_of(coarse, coarser);
+  ContactResponse response{.slips = record.slips, .values = {}, .changes = {}};
+  for (const MotionQuantity& quantity : motion_quantities) {
+    const auto of = quantity.value;
+    const auto [value, change] =
+        checked(quantity, {record.whole.*of, record.first.*of, record.second.*of, check.whole.*of},
+                resolution_of(quantity, record, grid));
+    response.values.*of = value;
+    response.changes.*of = change;
+  }
+  return response;
+}
+
+}  // namespace stickslip::studies

@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: MIT
+#include "studies/analyses/criterion_map.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include "stickslip/analytic/criterion.hpp"
+#include "stickslip/analytic/damped_reaction.hpp"
+#include "stickslip/analytic/force_maximum.hpp"
+#include "stickslip/analytic/modal_reaction_table.hpp"
+#include "stickslip/data/case_file.hpp"
+#include "stickslip/solver/beam_simulation.hpp"
+#include "studies/common/parallel.hpp"
+
+namespace stickslip::studies {
+
+namespace {
+
+// |f_max| is proportional to the amplitude, and the friction limit μ_s P to the static coefficient.
+bool is_a_factor(std::string_view parameter) {
+  return parameter == "excitation.amplitude" || parameter == "friction.static_coefficient";
+}
+
+// Whether the cells have different beams, but for the direction of P. Some of them may be buckled and others not.
+bool varies_beam(const MapTask& task) {
+  return std::ranges::any_of(std::array{task.x.parameter, task.y.parameter}, [](std::string_view parameter) {
+    return (parameter.starts_with("beam.") || parameter.starts_with("section.")) &&
+           parameter != "beam.axial_direction";
+  });
+}
+
+// Whether the modes depend on more than the load factor, or a cell may be damped and another one not.
+bool varies_direction_or_damping(const MapTask& task) {
+  return std::ranges::any_of(std::array{task.x.parameter, task.y.parameter}, [](std::string_view parameter) {
+    return parameter == "beam.axial_direction" || parameter.starts_with("damping.");
+  });
+}
+
+// How many values of an axis need separate evaluations of the force.
+std::size_t evaluations_along(const MapTask& task, const MapAxis& axis) {
+  return is_a_factor(axis.parameter) && task.quantities.empty() ? 1 : axis.values.size();
+}
+
+// The load factor P L²/EI, which determines the buckling state and the modes of the stick state.
+double load_factor(const data::Beam& beam, double axial_force) {
+  return axial_force * beam.length() * beam.length() / (beam.youngs_modulus() * beam.second_moment_of_area());
+}
+double load_factor(const data::Beam& beam) { return load_factor(beam, beam.axial_force()); }
+
+bool is_buckled(const data::Beam& beam) { return beam.axial_force() >= analytic::stick_buckling_load(beam); }
+
+data::Case case_at(const MapTask& task, std::size_t i, std::size_t j) {
+  return with_value(with_value(task.problem, task.x.parameter, task.x.values[i]), task.y.parameter,
+                    task.y.values[j]);
+}
+
+// |f_max| at the points of one map. The modes are interpolated in a table, or computed once if all points
+// have the same beam. They do not depend on which points are evaluated.
+class Forces {
+ public:
+  explicit Forces(const MapTask& task) : method_(task.method), modes_(task.problem.numerics.modes()) {
+    if (method_ != MapMethod::closed_form || varies_direction_or_damping(task)) return;
+    const data::Case& problem = task.problem;
+    if (!varies_beam(task)) {  // all points have the same beam
+      if (is_damped(problem))
+        common_damped_ = analytic::damped_reaction(problem.beam, problem.damping, modes_);
+      else
+        common_ = analytic::modal_reaction(problem.beam, modes_);
+      return;
+    }
+    // Their modes depend on more than the load factor.
+    if (is_damped(problem) || problem.beam.shear_stiffness() > 0.0) return;
+    double lowest = std::numeric_limits<double>::infinity(), highest = 0.0;
+    for (const std::size_t j : ends_of(task.y))
+      for (const std::size_t i : ends_of(task.x)) {
+        const data::Beam beam = case_at(task, i, j).beam;
+        lowest = std::min(lowest, load_factor(beam));
+        highest = std::max(highest, load_factor(beam));
+      }
+    highest = std::min(highest, just_below_buckling(case_at(task, 0, 0).beam));
+    if (lowest > 0.0 && lowest < highest)
+      table_.emplace(lowest, highest, modes_, problem.beam.axial_direction());
+  }
+
+  // |f_max| per metre of amplitude, N/m.
+  [[nodiscard]] analytic::Bounds unit_force(const data::Case& problem) const {
+    if (method_ == MapMethod::closed_form && is_damped(problem))
+      return analytic::DampedForce(common_damped_
+                                       ? *common_damped_
+                                       : analytic::damped_reaction(problem.beam, problem.damping, modes_),
+                                   angular_frequency(problem.excitation), problem.numerics.duration())
+          .refined_to();
+    if (method_ == MapMethod::closed_form) return search(problem).refined_to();
+    const data::HarmonicExcitation unit(
+        {.frequency_hz = problem.excitation.frequency_hz(), .amplitude = 1.0});
+    const double force = solver::max_abs_friction_force(problem.beam, unit, problem.numerics, problem.damping,
+                                                        solver::Coordinates::fastest);
+    return {force, force};
+  }
+
+  // Whether the tip slips. Far from the friction limit this needs less work than the force itself.
+  [[nodiscard]] bool slips(const data::Case& problem) const {
+    const double limit = friction_limit(problem), amplitude = problem.excitation.amplitude();
+    if (method_ == MapMethod::closed_form && !is_damped(problem))
+      return amplitude > 0.0 && search(problem).exceeds(limit / amplitude);
+    return amplitude * unit_force(problem).lower > limit;
+  }
+
+ private:
+  static std::array<std::size_t, 2> ends_of(const MapAxis& axis) { return {0, axis.values.size() - 1}; }
+
+  // The same load factor for all beams. The first mode still has one or two correct digits there.
+  static double just_below_buckling(const data::Beam& beam) {
+    return load_factor(beam, analytic::stick_buckling_load(beam)) * (1.0 - 1e-12);
+  }
+
+  [[nodiscard]] analytic::ForceMaximum search(const data::Case& problem) const {
+    const double omega = angular_frequency(problem.excitation);
+    const double duration = problem.numerics.duration();
+    if (common_) return {*common_, omega, duration};
+    if (table_ && table_->holds(problem.beam)) return {table_->at(problem.beam), omega, duration};
+    return {analytic::modal_reaction(problem.beam, modes_), omega, duration};
+  }
+
+  MapMethod method_;
+  int modes_;
+  std::optional<analytic::ModalReaction> common_;
+  std::optional<analytic::ModalReactionTable> table_;
+  std::optional<analytic::DampedReaction> common_damped_;
+};
+
+// The quantities of the motion at the points of one map. The modes are computed once if all points have the same beam.
+class Responses {
+ public:
+  explicit Responses(const MapTask& task) : task_(task) {
+    if (!varies_beam(task) && !varies_direction_or_damping(task))
+      common_.emplace(response_model(case_at(task, 0, 0)));
+  }
+
+  [[nodiscard]] MapEvaluation at(const data::Case& point) const {
+    MapEvaluation evaluation{.unit_force = {}, .state = CellState::stick};
+    try {
+      const ContactResponse response =
+          contact_response(point, task_.transient, common_ ? &*common_ : nullptr);
+      if (response.slips) evaluation.state = CellState::stick_slip;
+      for (const MotionQuantity* quantity : task_.quantities)
+        evaluation.response.push_back(response[*quantity]);
+    } catch (const analytic::InseparableModes&) {
+      evaluation.response.assign(task_.quantities.size(), {.value = 0.0, .change = 1.0});
+    }
+    return evaluation;
+  }
+
+ private:
+  const MapTask& task_;
+  std::optional<analytic::ContactModes> common_;
+};
+
+// The quantities of a cell that |f_max| per metre of amplitude is compared with.
+struct Factors {
+  double amplitude{}, static_coefficient{}, axial_force{};
+
+  void set(std::string_view parameter, double value) {
+    if (parameter == "excitation.amplitude") amplitude = value;
+    if (parameter == "friction.static_coefficient") static_coefficient = value;
+    if (parameter == "beam.axial_force") axial_force = value;
+  }
+};
+
+void complete(CriterionMap::Cell& cell, const MapEvaluation& evaluation, const Factors& factors,
+              bool states_only) {
+  cell.state = evaluation.state;
+  cell.response = evaluation.response;
+  if (!evaluation.unit_force) return;
+  const double limit = factors.static_coefficient * factors.axial_force;
+  const double ratio = factors.amplitude * evaluation.unit_force->midpoint() / limit;
+  if (!std::isfinite(ratio)) data::throw_overflow("a force ratio of the map is not finite");
+  if (!states_only) cell.force_ratio = ratio;
+  if (factors.amplitude * evaluation.unit_force->lower > limit) cell.state = CellState::stick_slip;
+}
+
+}  // namespace
+
+std::string_view to_string(CellState state) noexcept {
+  switch (state) {
+    case CellState::stick:
+      return "stick";
+    case CellState::stick_slip:
+      return "stick-slip";
+    case CellState::no_stick_state:
+      return "no stick state";
+  }
+  return {};
+}
+
+MapAxis map_axis(std::string_view parameter, double from, double to, int count, bool logarithmic) {
+  MapAxis axis{.parameter = parameter, .values = {}, .logarithmic = logarithmic};
+  for (int i = 0; i < count; ++i) {
+    const double share = static_cast<double>(i) / (count - 1);
+    axis.values.push_back(logarithmic ? from * std::pow(to / from, share) : std::lerp(from, to, share));
+  }
+  axis.values.back() = to;
+  return axis;
+}
+
+std::size_t evaluation_count(const MapTask& task) {
+  const data::Case& problem = task.problem;
+  const MapAxis &x = task.x, &y = task.y;
+  if (x.parameter == y.parameter)
+    throw data::InputError("both axes of the map are " + std::string(x.parameter) +
+                           ", but must be two parameters");
+  for (const double value : x.values) (void)with_value(problem, x.parameter, value);
+  for (const double value : y.values) (void)with_value(problem, y.parameter, value);
+  if (task.quantities.empty())
+    require_friction(case_at(task, 0, 0));
+  else  // the lowest frequency has the longest period
+    (void)response_grid(case_at(task, 0, 0), task.transient);
+  return evaluations_along(task, x) * evaluations_along(task, y);
+}
+
+std::vector<std::size_t> share_of(std::size_t evaluations, std::size_t part, std::size_t parts) {
+  if (part < 1 || part > parts)
+    throw std::invalid_argument(
+        fmt::format("the part is {} of {}, but must be from 1 to the number of parts", part, parts));
+  std::vector<std::size_t> share;
+  for (std::size_t round = 0; round * parts < evaluations; ++round) {
+    // Multiples of the golden ratio, modulo 1, are evenly distributed for any number of rounds.
+    const double turn = std::fmod(static_cast<double>(round) * std::numbers::phi, 1.0);
+    const auto shift = static_cast<std::size_t>(turn * static_cast<double>(parts));
+    const std::size_t number = round * parts + (part - 1 + shift) % parts;
+    if (number < evaluations) share.push_back(number);
+  }
+  return share;
+}
+
+void evaluate(const MapTask& task, std::span<const std::size_t> numbers, MapEvaluations& evaluations,
+              const std::function<void(std::span<const std::size_t>)>& settled) {
+  const std::size_t columns = evaluations_along(task, task.x);
+  if (evaluations.size() != evaluation_count(task))
+    throw std::invalid_argument(
+        fmt::format("the vector of evaluations has the size {}, but must have the size {}",
+                    evaluations.size(), evaluation_count(task)));
+  const bool may_be_buckled = varies_beam(task);
+  const bool decide_only =
+      task.states_only && !is_a_factor(task.x.parameter) && !is_a_factor(task.y.parameter);
+  std::optional<Forces> forces;
+  std::optional<Responses> responses;
+  if (task.quantities.empty())
+    forces.emplace(task);
+  else
+    responses.emplace(task);
+  const auto evaluation_at = [&](std::size_t number) -> MapEvaluation {
+    const data::Case point = case_at(task, number % columns, number / columns);
+    if (may_be_buckled && is_buckled(point.beam))
+      return {.unit_force = {}, .state = CellState::no_stick_state};
+    analytic::require_contact(point.beam);
+    if (responses) return responses->at(point);
+    if (decide_only)
+      return {.unit_force = {}, .state = forces->slips(point) ? CellState::stick_slip : CellState::stick};
+    return {.unit_force = forces->unit_force(point), .state = CellState::stick};
+  };
+  in_parallel_settling(
+      numbers.size(), [&](std::size_t i) { evaluations[numbers[i]] = evaluation_at(numbers[i]); },
+      [&](std::size_t first, std::size_t last) {
+        if (settled) settled(numbers.subspan(first, last - first));
+      });
+}
+
+CriterionMap criterion_map(const MapTask& task, const MapEvaluations& evaluations) {
+  const MapAxis &x = task.x, &y = task.y;
+  const std::size_t columns = evaluations_along(task, x), rows = evaluations_along(task, y);
+  if (evaluations.size() != columns * rows ||
+      !std::ranges::all_of(evaluations, &MapEvaluations::value_type::has_value))
+    throw std::invalid_argument("evaluations of the map are missing");
+  CriterionMap map{.x = x,
+                   .y = y,
+                   .states_only = task.states_only,
+                   .quantities = task.quantities,
+                   .tolerance = task.tolerance,
+                   .cells = {}};
+  map.cells.resize(x.values.size() * y.values.size());
+  Factors factors{.amplitude = task.problem.excitation.amplitude(),
+                  .static_coefficient = task.problem.friction.static_coefficient(),
+                  .axial_force = task.problem.beam.axial_force()};
+  auto cell = map.cells.begin();
+  for (std::size_t j = 0; j < y.values.size(); ++j) {
+    factors.set(y.parameter, y.values[j]);
+    for (std::size_t i = 0; i < x.values.size(); ++i, ++cell) {
+      factors.set(x.parameter, x.values[i]);
+      cell->x = x.values[i];
+      cell->y = y.values[j];
+      complete(*cell, *evaluations[(columns > 1 ? i : 0) + columns * (rows > 1 ? j : 0)], factors,
+               task.states_only);
+    }
+  }
+  return map;
+}
+
+CriterionMap criterion_map(const MapTask& task) {
+  MapEvaluations evaluations(evaluation_count(task));
+  evaluate(task, share_of(evaluations.size(), 1, 1), evaluations);
+  return criterion_map(task, evaluations);
+}
+
+}  // namespace stickslip::studies

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "stickslip/analytic/bounds.hpp"
+#include "stickslip/data/problem.hpp"
+#include "studies/analyses/contact_response.hpp"
+#include "studies/common/members.hpp"
+#include "studies/common/problem_parameter.hpp"
+
+namespace stickslip::studies {
+
+/// How |f_max| is computed, with the damping of the case.
+enum class MapMethod {
+  closed_form,     ///< Eq. (28) with numerics.modes() modes, |f_max| to 1e-10
+  finite_elements  ///< one linear run with a bonded tip, |f_max| over its time steps
+};
+
+/// The state of a cell of the map.
+enum class CellState {
+  stick,
+  stick_slip,
+  no_stick_state  ///< P is not below the buckling load 20.19 EI/L² of the clamped-pinned beam
+};
+/// "stick", "stick-slip" or "no stick state".
+[[nodiscard]] std::string_view to_string(CellState state) noexcept;
+
+/// The key that an axis of a map varies, "beam.length", and its values in ascending order.
+struct MapAxis {
+  std::string_view parameter;
+  std::vector<double> values;  ///< SI units
+  bool logarithmic{};          ///< in equal ratios; otherwise in equal steps
+};
+
+/// The criterion of Eqs. (29), (30) over two parameters of a case.
+struct CriterionMap {
+  struct Cell {
+    double x{}, y{};
+    /// |f_max| / (μ_s P); empty without a stick state or if not asked for.
+    std::optional<double> force_ratio;
+    /// stick_slip if the ratio is above 1 or, with quantities, if the tip slips after the transient
+    CellState state{};
+    std::vector<ResponseValue> response;  ///< of the quantities; empty without a stick state
+  };
+  MapAxis x, y;
+  bool states_only{};
+  std::vector<const MotionQuantity*> quantities;
+  double tolerance{};
+  std::vector<Cell> cells;  ///< x varies fastest
+};
+STICKSLIP_MEMBERS(CriterionMap::Cell, (x), (y), (force_ratio, "1"), (state, "-"))
+STICKSLIP_MEMBERS(CriterionMap, (cells))
+
+/// The definition of a map.
+struct MapTask {
+  data::Case problem;
+  MapAxis x, y;
+  MapMethod method{};
+  bool states_only{};  ///< compute the states only, without the force ratio
+  /// What to map in place of the criterion; empty for the criterion.
+  std::vector<const MotionQuantity*> quantities{};
+  double transient{};  ///< that the quantities leave out, s
+  double tolerance{};  ///< the largest ResponseValue::change of a value that counts as converged
+};
+
+/// The result of one evaluation of the force, for all cells that share it.
+struct MapEvaluation {
+  std::optional<analytic::Bounds> unit_force;  ///< |f_max| per metre of amplitude, N/m
+  CellState state{};                           ///< of the single cell, if the force is not computed
+  std::vector<ResponseValue> response{};       ///< of the quantities
+};
+
+/// The evaluations of a map by their number. An element is empty until its evaluation is done.
+using MapEvaluations = std::vector<std::optional<MapEvaluation>>;
+
+/// An axis of `count` values from `from` to `to`, in equal steps or, if `logarithmic`, in equal ratios. The
+/// first and the last value are exact.
+[[nodiscard]] MapAxis map_axis(std::string_view parameter, double from, double to, int count,
+                               bool logarithmic);
+
+/// The number of evaluations that a map needs. |f_max| is proportional to the amplitude and does not depend
+/// on μ_s, so that an axis of either parameter needs no additional evaluation; a quantity of the motion has one
+/// for each cell. Throws what criterion_map() throws for axes that are not allowed.
+[[nodiscard]] std::size_t evaluation_count(const MapTask& task);
+
+/// The numbers, in ascending order, of the evaluations that belong to part `part` of `parts`. Each evaluation
+/// belongs to exactly one part. Of each `parts` successive evaluations every part gets one, at a position
+/// that changes from round to round, so that all parts have about the same cost. Throws std::invalid_argument
+/// unless 1 ≤ part ≤ parts.
+[[nodiscard]] std::vector<std::size_t> share_of(std::size_t evaluations, std::size_t part, std::size_t parts);
+
+/// Makes these evaluations on thread_count() threads and stores them in `evaluations`; the result does not
+/// depend on the number of threads. `evaluations` must have evaluation_count() elements. `settled`, if given,
+/// receives the numbers of the new evaluations, one call at a time; an exception that it throws ends the
+/// work. Throws what criterion_map() throws, and std::invalid_argument for a wrong size.
+void evaluate(const MapTask& task, std::span<const std::size_t> numbers, MapEvaluations& evaluations,
+              const std::function<void(std::span<const std::size_t>)>& settled = {});
+
+/// The map assembled from its evaluations. Throws std::invalid_argument if one is missing.
+[[nodiscard]] CriterionMap criterion_map(const MapTask& task, const MapEvaluations& evaluations);
+
+/// Makes all evaluations and assembles the map.
+///
+/// Throws std::invalid_argument if both axes are the same parameter or μ_s is 0 somewhere, data::FieldError
+/// for a value that its field refuses, and data::InputError, naming beam.axial_force, if P ≤ 0 somewhere,
+/// or if the beam is buckled and neither axis is a number of it.
+[[nodiscard]] CriterionMap criterion_map(const MapTask& task);
+
+}  // namespace stickslip::studies

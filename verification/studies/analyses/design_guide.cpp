@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: MIT
+#include "studies/analyses/design_guide.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "stickslip/analytic/criterion.hpp"
+#include "stickslip/analytic/damped_reaction.hpp"
+#include "stickslip/analytic/stick_modes.hpp"
+#include "studies/analyses/length_force_map.hpp"
+#include "studies/common/hertz.hpp"
+#include "studies/common/parallel.hpp"
+
+namespace stickslip::studies {
+
+namespace {
+
+// Relative width of the bounds below which an undecided force counts as above the limit.
+constexpr double undecided = 1e-4;
+constexpr double spacing = 0.01;  // relative distance of neighbouring values
+// Of the ends of intervals, relative to the upper end of the range.
+constexpr double relative_accuracy = 1e-5;
+constexpr double last_share = 1.0 / 16.0;  // of that accuracy, at which the bisection of intervals ends
+constexpr double below_buckling = 1.0 - 1e-6;
+
+bool is_one_frequency(const analytic::FrequencyBand& band) { return band.from_hz == band.to_hz; }
+
+void require_margin(const data::Case& problem) {
+  require_friction(problem);
+  if (problem.beam.shear_stiffness() > 0.0)
+    throw data::FieldError("beam.shear_stiffness", problem.beam.shear_stiffness(),
+                           "0 for a design over a band of frequencies; map and criterion have shear");
+  if (problem.excitation.amplitude() > 0.0) return;
+  throw data::FieldError("excitation.amplitude", "0", "above 0 (m): without excitation nothing slips");
+}
+
+analytic::BandMaximum search_of(const data::Case& problem, const analytic::FrequencyBand& band,
+                                analytic::DampedForcePart part = analytic::DampedForcePart::start_up) {
+  const int modes = problem.numerics.modes();
+  if (!is_damped(problem)) return {problem.beam, band, problem.numerics.duration(), modes};
+  return {analytic::damped_reaction(problem.beam, problem.damping, modes), band, problem.numerics.duration(),
+          part};
+}
+
+// The least damping ratio of the modes that vibrate; 0 without damping.
+double least_ratio(const data::Case& problem) {
+  if (!is_damped(problem)) return 0.0;
+  double least = 1.0;
+  for (const auto& share :
+       analytic::damped_reaction(problem.beam, problem.damping, problem.numerics.modes()).shares)
+    least = std::min(least, -share.eigenvalue.real() / std::abs(share.eigenvalue));
+  return least;
+}
+
+// The case with one value of the parameter, and the bounds of the force that are known there.
+class Candidate {
+ public:
+  Candidate(const data::Case& problem, double value, const analytic::FrequencyBand& band)
+      : value_(value),
+        limit_(friction_limit(problem) / problem.excitation.amplitude()),
+        modes_(analytic::modal_forces(problem.beam, problem.numerics.modes())),
+        least_ratio_(studies::least_ratio(problem)),
+        search_(search_of(problem, band)) {}
+
+  [[nodiscard]] double value() const { return value_; }
+  [[nodiscard]] const std::vector<analytic::ModalForce>& modes() const { return modes_; }
+  [[nodiscard]] double least_ratio() const { return least_ratio_; }
+
+  // Whether |f_max| per metre of amplitude is at least `reserve` (N/m) below the limit over the whole band.
+  [[nodiscard]] bool sticks(double reserve = 0.0) {
+    const double target = limit_ - reserve;
+    return target > 0.0 && search_.refined_against(target, undecided).upper <= target;
+  }
+
+ private:
+  double value_;
+  double limit_;  // μ_s P/A0, N/m
+  std::vector<analytic::ModalForce> modes_;
+  double least_ratio_;
+  analytic::BandMaximum search_;
+};
+
+// The scan of one range of the parameter for one band of frequencies.
+class Scan {
+ public:
+  Scan(const data::Case& problem, std::string_view parameter, const analytic::FrequencyBand& band,
+       double resolution)
+      : problem_(problem), parameter_(parameter), band_(band), resolution_(resolution) {}
+
+  [[nodiscard]] Candidate at(double value) const {
+    return {with_value(problem_, parameter_, value), value, band_};
+  }
+
+  // Appends the intervals from `left` to `right` in ascending order.
+  void divide(Candidate left, Candidate right, std::vector<DesignInterval>& intervals) const {
+    const bool left_sticks = left.sticks(), right_sticks = right.sticks();
+    if (!left_sticks && !right_sticks) return append(left, right, false, intervals);
+    if (left_sticks && right_sticks) {
+      const double reserve = rise_between(left, right);
+      if (left.sticks(reserve) && right.sticks(reserve)) return append(left, right, true, intervals);
+    }
+    if (right.value() - left.value() <= resolution_) return append(left, right, false, intervals);
+    const Candidate middle = at(0.5 * (left.value() + right.value()));
+    divide(std::move(left), middle, intervals);
+    divide(middle, std::move(right), intervals);
+  }
+
+  // Values at which a natural frequency is at an end of the band, and values at most 1 % apart.
+  [[nodiscard]] std::vector<double> grid(const ParameterRange& range) const {
+    std::vector<double> values{range.from};
+    const int steps = static_cast<int>(std::ceil(std::log(range.to / range.from) / spacing));
+    for (int i = 1; i < steps; ++i)
+      values.push_back(range.from * std::pow(range.to / range.from, static_cast<double>(i) / steps));
+    values.push_back(range.to);
+    for (int mode = 1; mode <= problem_.numerics.modes(); ++mode)
+      for (const double hz : {band_.from_hz, band_.to_hz})
+        if (const auto value = value_at_resonance(range, mode, hz)) values.push_back(*value);
+    std::ranges::sort(values);
+    values.erase(std::unique(values.begin(), values.end()), values.end());
+    return values;
+  }
+
+ private:
+  // Natural frequencies decrease with increasing length and with increasing axial force.
+  [[nodiscard]] std::optional<double> value_at_resonance(const ParameterRange& range, int mode,
+                                                         double hz) const {
+    const auto natural_hz = [&](double value) {
+      return stick_hz(with_value(problem_, parameter_, value).beam, mode);
+    };
+    double low = range.from, high = range.to;
+    if (natural_hz(low) < hz || natural_hz(high) > hz) return std::nullopt;
+    while (high - low > 1e-14 * high) {
+      const double middle = 0.5 * (low + high);
+      (natural_hz(middle) > hz ? low : high) = middle;
+    }
+    return 0.5 * (low + high);
+  }
+
+  // The estimate R of design_scan(): how far |f_max| per metre of amplitude rises above its larger end value,
+  // N/m.
+  [[nodiscard]] double rise_between(const Candidate& left, const Candidate& right) const {
+    const double ratio = std::min(left.least_ratio(), right.least_ratio());
+    const double a = two_pi * band_.from_hz, b = two_pi * band_.to_hz;
+    double rise = 0.0;
+    for (std::size_t n = 0; n < left.modes().size(); ++n) {
+      const auto &upper = left.modes()[n], &lower = right.modes()[n];
+      const double w = lower.angular_frequency, change = upper.angular_frequency - w;
+      const double duration = problem_.numerics.duration();
+      const double t = ratio > 0.0 ? std::min(duration, 2.0 / (ratio * w)) : duration;
+      const double c = std::max(std::abs(upper.coefficient), std::abs(lower.coefficient));
+      const double apart = std::max({0.0, a - upper.angular_frequency, w - b}) * (a + w);
+      const double q = b * b * b / (apart * w);  // infinite in resonance
+      const double bend = std::min(t * t * q, b * b * t * t * t / (3.0 * w));
+      rise += c * std::min(change * change * bend / 8.0, 2.0 * q);
+    }
+    return rise;
+  }
+
+  void append(const Candidate& left, const Candidate& right, bool sticks,
+              std::vector<DesignInterval>& intervals) const {
+    intervals.push_back({.from = left.value(), .to = right.value(), .sticks = sticks});
+    // The grid has the values at which a natural frequency is at an end of the band: it does not enter between two of them.
+    const double inside = is_one_frequency(band_) ? -1e-12 : 1e-12;
+    for (std::size_t n = 0; n < left.modes().size(); ++n)
+      if (left.modes()[n].angular_frequency >= two_pi * band_.from_hz * (1.0 + inside) &&
+          right.modes()[n].angular_frequency <= two_pi * band_.to_hz * (1.0 - inside))
+        intervals.back().resonances.push_back(static_cast<int>(n) + 1);
+  }
+
+  const data::Case& problem_;
+  std::string_view parameter_;
+  analytic::FrequencyBand band_;
+  double resolution_;
+};
+
+// Joins neighbouring intervals with the same result and, where they slip, the same resonances.
+std::vector<DesignInterval> joined(const std::vector<std::vector<DesignInterval>>& parts,
+                                   bool whatever_resonances) {
+  std::vector<DesignInterval> intervals;
+  for (const auto& part : parts)
+    for (const DesignInterval& next : part) {
+      if (intervals.empty() || intervals.back().sticks != next.sticks ||
+          (!next.sticks && !whatever_resonances && intervals.back().resonances != next.resonances)) {
+        intervals.push_back(next);
+        continue;
+      }
+      DesignInterval& last = intervals.back();
+      last.to = next.to;
+      std::vector<int> both;
+      std::ranges::set_union(last.resonances, next.resonances, std::back_inserter(both));
+      last.resonances = std::move(both);
+    }
+  return intervals;
+}
+
+}  // namespace
+
+BandMargin band_margin(const data::Case& problem, const analytic::FrequencyBand& band,
+                       double relative_width) {
+  analytic::require_contact(problem.beam);
+  require_margin(problem);
+  analytic::BandMaximum search = search_of(problem, band);
+  const analytic::Bounds unit = search.refined_to(relative_width);
+  const double amplitude = problem.excitation.amplitude(), limit = friction_limit(problem);
+  BandMargin margin{.force_max = {amplitude * unit.lower, amplitude * unit.upper},
+                    .friction_limit = limit,
+                    .margin = {limit / (amplitude * unit.upper), limit / (amplitude * unit.lower)},
+                    .frequency_hz = search.frequency_hz(),
+                    .evaluations = static_cast<int>(search.evaluations()),
+                    .resonances = {},
+                    .steady_margin = {}};
+  if (is_damped(problem)) {
+    const analytic::Bounds steady =
+        search_of(problem, band, analytic::DampedForcePart::steady).refined_to(relative_width);
+    margin.steady_margin = {limit / (amplitude * steady.upper), limit / (amplitude * steady.lower)};
+  }
+  for (const auto& mode : analytic::stick_modes(problem.beam, problem.numerics.modes()))
+    if (band.from_hz <= mode.frequency_hz() && mode.frequency_hz() <= band.to_hz)
+      margin.resonances.push_back({mode.number(), mode.frequency_hz()});
+  return margin;
+}
+
+DesignScan design_scan(const data::Case& problem, std::string_view parameter, const ParameterRange& range,
+                       const analytic::FrequencyBand& band, const std::function<void(double)>& progress) {
+  if (!(range.from > 0.0 && range.from < range.to))
+    throw data::FieldError("the range of " + std::string(parameter),
+                           data::shortest_text(range.from) + " to " + data::shortest_text(range.to),
+                           "from a number above 0 to a larger one");
+  require_margin(problem);
+  const double buckling = buckling_value(problem, parameter);
+  const double last = std::min(range.to, below_buckling * buckling);
+  DesignScan result{.parameter = parameter, .accuracy = relative_accuracy * range.to, .intervals = {}};
+  if (range.from < last) {
+    const Scan scan(problem, parameter, band, last_share * result.accuracy);
+    const std::vector<double> values = scan.grid({range.from, last});
+    std::vector<std::vector<DesignInterval>> parts(values.size() - 1);
+    in_parallel(
+        parts.size(),
+        [&](std::size_t i) { scan.divide(scan.at(values[i]), scan.at(values[i + 1]), parts[i]); }, progress);
+    result.intervals = joined(parts, is_one_frequency(band));
+  }
+  if (range.to > last)
+    result.intervals.push_back({.from = std::max(range.from, last), .to = range.to, .buckled = true});
+  return result;
+}
+
+Design design(const data::Case& problem, const analytic::FrequencyBand& band, const ParameterRange& lengths,
+              const ParameterRange& forces, const std::function<void(std::string_view)>& stage,
+              const std::function<void(double)>& progress) {
+  Design result{.band = band, .margin = {}, .lengths = {}, .forces = {}};
+  stage("margin");
+  result.margin = band_margin(problem, band);
+  stage("lengths");
+  result.lengths =
+      design_scan(problem, "beam.length", lengths, band, [&](double share) { progress(0.5 * share); });
+  stage("axial forces");
+  result.forces = design_scan(problem, "beam.axial_force", forces, band,
+                              [&](double share) { progress(0.5 + 0.5 * share); });
+  return result;
+}
+
+ParameterRange range_below_buckling(const data::Case& problem, std::string_view parameter, double from,
+                                    double to) {
+  return {from, std::min(to, 0.999 * buckling_value(problem, parameter))};
+}
+
+double buckling_value(const data::Case& problem, std::string_view parameter) {
+  if (parameter == "beam.axial_force") return analytic::stick_buckling_load(problem.beam);
+  if (parameter != "beam.length")
+    throw std::invalid_argument(std::string(parameter) +
+                                " is varied in a design, but must be beam.length or beam.axial_force");
+  // Throws with a message about the axial force.
+  if (problem.beam.axial_force() <= 0.0) analytic::require_contact(problem.beam);
+  return buckling_length(problem.beam);
+}
+
+}  // namespace stickslip::studies

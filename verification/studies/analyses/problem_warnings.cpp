@@ -1,0 +1,333 @@
+// SPDX-License-Identifier: MIT
+#include "studies/analyses/problem_warnings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "stickslip/analytic/beam_contact_model.hpp"
+#include "stickslip/analytic/criterion.hpp"
+#include "stickslip/analytic/force_maximum.hpp"
+#include "stickslip/analytic/slip_modes.hpp"
+#include "stickslip/analytic/stick_modes.hpp"
+#include "stickslip/solver/beam_simulation.hpp"
+#include "studies/common/discretisation.hpp"
+#include "studies/common/problem_parameter.hpp"
+#include "studies/common/simpson.hpp"
+#include "studies/history/contact_growth.hpp"
+#include "studies/history/history_convergence.hpp"
+
+namespace stickslip::studies {
+
+namespace {
+
+using std::numbers::pi;
+
+// The largest relative error of the frequency, and of the amplitude per period, that a time step may cause.
+constexpr double allowed_step_error = 0.01;
+// A resonant response gives a warning from this multiple of the quasi-static response on.
+constexpr double grown_response = 10.0;
+constexpr double allowed_growth = 36.0;  // of σ* T
+// The largest number of elements or modes for which growth_warning() computes σ*.
+constexpr int most_undamped_for_growth = 200, most_damped_for_growth = 50;
+
+double model_error(const data::Beam& beam, double slopes, double third_derivatives) {
+  const double radius_squared = beam.second_moment_of_area() / beam.area();
+  return std::sqrt(1.0 + radius_squared * (slopes + shear_flexibility * third_derivatives)) - 1.0;
+}
+
+bool is_about_frequencies(Inquiry inquiry) {
+  return inquiry == Inquiry::stick_frequencies || inquiry == Inquiry::slip_frequencies;
+}
+
+bool may_slip(Inquiry inquiry) {
+  return inquiry == Inquiry::event_driven_history || inquiry == Inquiry::boundary_integral_history ||
+         inquiry == Inquiry::stepped_history;
+}
+
+std::string percent(double share) { return fmt::format("{:.2g} %", 100.0 * share); }
+
+// The value rounded down to two significant digits.
+double two_digits(double value) {
+  const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
+  return std::floor(value / unit * (1.0 + 1e-12)) * unit;
+}
+
+// The largest time step at which step_error() is not above allowed_step_error.
+double allowed_step(double spectral_radius, double omega) {
+  double lower = 0.0, upper = 2.0 * pi;  // ω h
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (lower + upper);
+    (step_error(spectral_radius, 1.0, middle) > allowed_step_error ? upper : lower) = middle;
+  }
+  return two_digits(lower / omega);
+}
+
+// The load is that without shear, which lowers it a little.
+void warn_of_instability(const data::Beam& beam, std::vector<Warning>& warnings) {
+  const double load = analytic::slip_critical_load(beam);
+  if (beam.axial_force() < load) return;
+  const bool buckles = analytic::buckles_in_slip(beam);
+  warnings.push_back(
+      {buckles ? Concern::buckling : Concern::flutter, beam.axial_force(), load,
+       fmt::format("beam.axial_force is {} N, at the {} load of the sliding beam, {:.6g} N, or over it: once "
+                   "the tip slips, the motion is unstable",
+                   data::shortest_text(beam.axial_force()), buckles ? "buckling" : "flutter", load)});
+}
+
+void warn_of_resonance(const data::Case& problem, std::vector<Warning>& warnings) {
+  const double omega = angular_frequency(problem.excitation), duration = problem.numerics.duration();
+  if (is_damped(problem) || problem.excitation.amplitude() == 0.0 || 0.5 * omega * duration < grown_response)
+    return;
+  const auto modes = analytic::modal_forces(problem.beam, problem.numerics.modes());
+  const auto nearest = std::ranges::min_element(
+      modes, {}, [&](const auto& mode) { return std::abs(mode.angular_frequency - omega); });
+  const double difference = std::abs(nearest->angular_frequency - omega);
+  const double nearest_hz = nearest->angular_frequency / (2.0 * pi);
+  if (difference * duration > pi) return;
+  const std::string end =
+      difference * duration < 1e-6 ? "without end" : fmt::format("until {:.3g} s", pi / difference);
+  warnings.push_back(
+      {Concern::resonance, problem.excitation.frequency_hz(), nearest_hz,
+       fmt::format(
+           "excitation.frequency_hz is {}, next to natural frequency {} of the stick state, {:.7g} Hz: the "
+           "reaction of the undamped beam grows with t, {}, so that its maximum depends on "
+           "excitation.duration, {} s",
+           data::shortest_text(problem.excitation.frequency_hz()), nearest - modes.begin() + 1, nearest_hz,
+           end, data::shortest_text(duration))});
+}
+
+void warn_of_thickness(const data::Beam& beam, bool slip, int mode, std::vector<Warning>& warnings) {
+  if (beam.shear_stiffness() > 0.0) return;
+  const double error = slip ? slip_model_error(beam, mode) : stick_model_error(beam, mode);
+  if (error <= allowed_model_error) return;
+  const double radius = std::sqrt(beam.second_moment_of_area() / beam.area());
+  warnings.push_back(
+      {Concern::thick_beam, error, allowed_model_error,
+       fmt::format("the beam is thick for Euler-Bernoulli, sqrt(I/A)/L = {:.3g}: without "
+                   "shear and rotary inertia its natural frequency {} comes out about {} too high",
+                   radius / beam.length(), mode, percent(error))});
+}
+
+void warn_of_step(const data::Case& problem, int mode, std::vector<Warning>& warnings) {
+  const double natural = analytic::modal_forces(problem.beam, mode).back().angular_frequency;
+  const double excitation = angular_frequency(problem.excitation);
+  const double omega = std::max(natural, excitation), step = problem.numerics.time_step();
+  const double error = step_error(problem.numerics.spectral_radius(), omega, step);
+  if (error <= allowed_step_error) return;
+  const double suggested = allowed_step(problem.numerics.spectral_radius(), omega);
+  const std::string what =
+      natural > excitation ? fmt::format("natural frequency {}", mode) : "the excitation";
+  warnings.push_back(
+      {Concern::long_step, step, suggested,
+       fmt::format("numerics.time_step is {} s, too long for {} at {:.4g} Hz: it changes the frequency or "
+                   "the amplitude per period by {}; a step of {:.2g} s changes them by {}",
+                   data::shortest_text(step), what, omega / (2.0 * pi), percent(error), suggested,
+                   percent(allowed_step_error))});
+}
+
+}  // namespace
+
+double stick_model_error(const data::Beam& beam, int mode) {
+  const auto modes = analytic::stick_modes(beam, mode);
+  const auto& u = modes.back();
+  const auto integral = [&](auto derivative) {
+    return simpson_integral([&](double x) { return std::pow((u.*derivative)(x), 2); }, beam.length(), u);
+  };
+  return model_error(
+      beam, integral(&analytic::StickMode::slope) / u.norm_squared(),
+      integral(&analytic::StickMode::third_derivative) / integral(&analytic::StickMode::curvature));
+}
+
+// Slope and third derivative by partial integration, with U'''' = k U - p U'', U''(L) = 0 and U'''(L) = -χ p U'(L):
+//
+//     U'(L) = int U'',                    int U'² = U(L) U'(L) - int U U'',
+//     U'''(0) = U'''(L) - int U'''',      int U'''² = -U''(0) U'''(0) - int U'' U''''.
+double slip_model_error(const data::Beam& beam, int mode) {
+  const auto modes = analytic::slip_modes(beam, mode);
+  const auto& u = modes.back();
+  const double p = beam.axial_force() / (beam.youngs_modulus() * beam.second_moment_of_area());
+  const double k = std::pow(u.hyperbolic_wave_number() * u.trigonometric_wave_number(), 2);
+  const auto fourth = [&](double x) { return k * u.shape(x) - p * u.curvature(x); };
+  const auto integral = [&](auto&& function) { return simpson_integral(function, beam.length(), u); };
+  const double tip_slope = integral([&](double x) { return u.curvature(x); });
+  const double slopes =
+      u.shape(beam.length()) * tip_slope - integral([&](double x) { return u.shape(x) * u.curvature(x); });
+  const double third_derivatives =
+      u.curvature(0.0) * (beam.axial_direction() * p * tip_slope + integral(fourth)) -
+      integral([&](double x) { return u.curvature(x) * fourth(x); });
+  return model_error(beam, slopes / integral([&](double x) { return std::pow(u.shape(x), 2); }),
+                     third_derivatives / integral([&](double x) { return std::pow(u.curvature(x), 2); }));
+}
+
+double step_error(double spectral_radius, double omega, double time_step) {
+  const auto numerical = generalized_alpha_oscillation(spectral_radius, omega, time_step);
+  return std::max(std::abs(numerical.angular_frequency / omega - 1.0),
+                  -std::expm1(-2.0 * pi * numerical.decay_rate / omega));
+}
+
+int highest_mode_that_matters(const data::Case& problem) {
+  constexpr int instants = 2048;
+  const double omega = angular_frequency(problem.excitation);
+  const auto reaction = analytic::modal_reaction(problem.beam, problem.numerics.modes());
+  const double span = std::max({problem.numerics.duration(), 1.0 / problem.excitation.frequency_hz(),
+                                2.0 * pi / reaction.modes.front().angular_frequency});
+  const analytic::ForceMaximum force(reaction, omega, span);
+  double largest = 0.0;
+  for (int i = 1; i <= instants; ++i) {
+    const double part = std::fmod(i * std::numbers::phi, 1.0);
+    largest = std::max(largest, std::abs(force.value(part * span)));
+  }
+  for (std::size_t n = reaction.modes.size(); n > 1; --n) {
+    const auto& [natural, coefficient] = reaction.modes[n - 1];
+    const double vibration =
+        coefficient * std::pow(omega, 3) / ((omega - natural) * (omega + natural) * natural);
+    if (std::abs(vibration) > share_that_matters * largest) return static_cast<int>(n);
+  }
+  return 1;
+}
+
+namespace {
+
+std::vector<Warning> warnings_without_effect(const data::Case& problem, Inquiry inquiry, int frequencies) {
+  std::vector<Warning> warnings;
+  if (may_slip(inquiry)) warn_of_instability(problem.beam, warnings);
+  if (inquiry == Inquiry::criterion || inquiry == Inquiry::closed_form_history)
+    warn_of_resonance(problem, warnings);
+  const int mode = is_about_frequencies(inquiry) ? frequencies : highest_mode_that_matters(problem);
+  warn_of_thickness(problem.beam, inquiry == Inquiry::slip_frequencies, mode, warnings);
+  if (inquiry == Inquiry::stepped_history) warn_of_step(problem, mode, warnings);
+  return warnings;
+}
+
+}  // namespace
+
+std::string shear_effect(const data::Case& problem) {
+  data::Case sheared = problem;
+  sheared.beam = with_shear(problem.beam);
+  const std::string choice =
+      fmt::format("with beam.shear_stiffness = {:.3g} (k = 5/6, nu = 0.3)", sheared.beam.shear_stiffness());
+  if (problem.beam.axial_force() >= analytic::stick_buckling_load(sheared.beam))
+    return choice + " the beam buckles";
+  const auto criterion = [](const data::Case& of) {
+    return analytic::evaluate_criterion(of.beam, of.friction, of.excitation, of.numerics.duration(),
+                                        of.numerics.modes(), analytic::SteadyPart::modal_sum, 1e-4);
+  };
+  const auto without = criterion(problem), with = criterion(sheared);
+  return fmt::format("{} |f_max| is {:.4g} N instead of {:.4g} N, and the verdict is {}{}", choice,
+                     with.force_max.midpoint(), without.force_max.midpoint(), to_string(with.verdict),
+                     with.verdict == without.verdict
+                         ? " as well"
+                         : fmt::format(" instead of {}", to_string(without.verdict)));
+}
+
+std::vector<Warning> problem_warnings(const data::Case& problem, Inquiry inquiry, int frequencies) {
+  auto warnings = warnings_without_effect(problem, inquiry, frequencies);
+  const auto thick = std::ranges::find(warnings, Concern::thick_beam, &Warning::concern);
+  if (thick != warnings.end() && inquiry == Inquiry::criterion && !is_damped(problem))
+    thick->sentence += "; " + shear_effect(problem);
+  return warnings;
+}
+
+std::optional<Warning> growth_warning(const data::Case& problem, Inquiry inquiry) {
+  const data::NumericalSettings& numerics = problem.numerics;
+  const bool stepped = inquiry == Inquiry::stepped_history;
+  if (!stepped && inquiry != Inquiry::event_driven_history) return std::nullopt;
+  if (problem.contact.has_spring()) return std::nullopt;  // σ* is that of a law without memory
+  if ((stepped ? numerics.elements() : numerics.modes()) >
+      (is_damped(problem) ? most_damped_for_growth : most_undamped_for_growth))
+    return std::nullopt;
+  const auto contact = [&] {
+    if (!stepped)
+      return continuous_contact(analytic::BeamContactModel(problem.beam, problem.friction, problem.excitation,
+                                                           problem.damping, numerics.modes())
+                                    .model());
+    const auto system =
+        solver::beam_contact_system(solver::BeamModel(problem.beam, numerics.elements()), problem.friction,
+                                    solver::harmonic_motion(problem.excitation), problem.damping);
+    return stepped_contact(solver::ContactMobility(system), numerics.time_step(), numerics.spectral_radius());
+  }();
+  const double kappa = weakening(problem.friction, problem.beam.axial_force());
+  const double allowed = allowed_growth / numerics.duration();
+  if (grows_at_most(contact, kappa, allowed)) return std::nullopt;
+  const double run_bound = growth_bound(contact, kappa);
+  const double beam_bound =
+      beam_growth_bound(without_shear(problem.beam), problem.friction,
+                        data::Damping({.kelvin_voigt = problem.damping.kelvin_voigt()}));
+  const auto rate = [](double value) {
+    return value < 100.0 ? fmt::format("{:.3g} 1/s", value) : fmt::format("{:.0f} 1/s", value);
+  };
+  const bool is_beam_known = problem.damping.ratio() == 0.0;
+  std::string sentence = fmt::format(
+      "the contact changes, and sigma* is {}: by the bound exp(sigma* t) a rounding error may grow to the "
+      "size of the motion within {:.2g} s; for the {} sigma* is {}",
+      rate(run_bound), allowed_growth / run_bound, is_beam_known ? "beam" : "undamped beam",
+      rate(beam_bound));
+  if (run_bound > 1.1 * beam_bound)
+    sentence +=
+        fmt::format(", about as with numerics.spectral_radius = 0, time_step = {:.2g} s, elements = {}",
+                    two_digits(time_step_of({.angle = filtering_angle}, problem.beam, numerics.elements())),
+                    numerics.elements());
+  if (beam_bound > allowed && is_beam_known)
+    sentence += fmt::format("; beyond {:.2g} s the bound is of no use for any discretisation",
+                            allowed_growth / beam_bound);
+  return Warning{Concern::growth, run_bound, allowed, sentence};
+}
+
+std::vector<std::string> warnings_after(const data::Case& problem, Inquiry inquiry, const History& history) {
+  std::vector<std::string> sentences;
+  for (const Warning& warning : problem_warnings(problem, inquiry)) sentences.push_back(warning.sentence);
+  if (inquiry == Inquiry::closed_form_history && history.first_slip)
+    sentences.push_back(
+        fmt::format("the closed form holds while the tip sticks, but |f| exceeds mu_s P = {} N first at {} "
+                    "s; --method fe "
+                    "and --method event-driven follow the slip",
+                    data::shortest_text(friction_limit(problem)), data::shortest_text(*history.first_slip)));
+  if (!history.events.empty())
+    if (const auto growth = growth_warning(problem, inquiry)) sentences.push_back(growth->sentence);
+  return sentences;
+}
+
+double curvature_error(const data::Beam& beam, double deflection) {
+  return 27.0 / 8.0 * std::pow(deflection / beam.length(), 2);
+}
+
+std::optional<std::string> deflection_warning(const data::Beam& beam, double deflection) {
+  const double error = curvature_error(beam, deflection);
+  if (!(error > allowed_model_error)) return std::nullopt;
+  return fmt::format(
+      "the tip is deflected by {:.3g} m, {:.2g} % of the length: the model is that of small slopes, and its "
+      "curvature is then wrong by about {:.2g} %",
+      std::abs(deflection), 100.0 * std::abs(deflection) / beam.length(), 100.0 * error);
+}
+
+std::vector<Warning> warnings_common_to(const data::Case& problem,
+                                        const std::vector<std::string_view>& varied) {
+  if (problem.beam.axial_force() >= analytic::stick_buckling_load(problem.beam)) return {};
+  const auto moves_a_frequency = [](std::string_view parameter) {
+    return parameter != "excitation.amplitude" && parameter != "friction.static_coefficient" &&
+           parameter != "beam.axial_direction";
+  };
+  const auto changes_the_proportions = [](std::string_view parameter) {
+    return parameter == "beam.length" || parameter == "beam.area" ||
+           parameter == "beam.second_moment_of_area" || parameter.starts_with("section.");
+  };
+  auto warnings = warnings_without_effect(problem, Inquiry::criterion, 0);
+  std::erase_if(warnings, [&](const Warning& warning) {
+    return warning.concern == Concern::resonance ? std::ranges::any_of(varied, moves_a_frequency)
+                                                 : std::ranges::any_of(varied, changes_the_proportions);
+  });
+  return warnings;
+}
+
+void require_feasible(const data::Case& problem, Inquiry inquiry) {
+  for (const Method& each : methods())
+    if (each.inquiry == inquiry) return each.require_feasible(problem);
+  if (is_about_frequencies(inquiry)) return;
+  require_resting_wall(problem);
+  require_periods(problem, most_periods_in_closed_form);
+}
+
+}  // namespace stickslip::studies

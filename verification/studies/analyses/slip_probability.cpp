@@ -1,0 +1,355 @@
+// SPDX-License-Identifier: MIT
+#include "studies/analyses/slip_probability.hpp"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <mutex>
+#include <set>
+
+#include "stickslip/analytic/criterion.hpp"
+#include "stickslip/analytic/damped_reaction.hpp"
+#include "stickslip/analytic/force_maximum.hpp"
+#include "stickslip/analytic/modal_reaction_table.hpp"
+#include "stickslip/analytic/stick_modes.hpp"
+#include "stickslip/data/case_file.hpp"
+#include "studies/common/parallel.hpp"
+#include "studies/common/problem_parameter.hpp"
+
+namespace stickslip::studies {
+
+namespace {
+
+constexpr double force_width = 1e-8, band_width = 1e-3, common_width = 1e-6;
+constexpr std::size_t pilot_count = 1000;  // samples whose load factors are the range of the table of modes
+constexpr double most_tabulated = 0.999;   // of the buckling load, below which a table keeps its digits
+constexpr std::array quantile_probabilities{0.05, 0.25, 0.5, 0.75, 0.95};
+
+// The result of one sample.
+struct SampleResult {
+  double critical_amplitude{}, margin{};
+  bool slips{};
+};
+
+// Keys on which |f_max| per metre of amplitude does not depend.
+bool moves_the_force(const std::string& key) {
+  static const std::set<std::string> others{"excitation.amplitude", "numerics.time_step",
+                                            "numerics.spectral_radius", "numerics.velocity_threshold"};
+  return !key.starts_with("friction.") && !others.contains(key);
+}
+
+// The verdict on the cases in which keys have other values.
+class Verdicts {
+ public:
+  Verdicts(const data::Case& problem, const data::Uncertainty& uncertainty,
+           const std::optional<analytic::FrequencyBand>& band)
+      : problem_(problem), keys_(uncertainty.keys), band_(band) {
+    if (std::ranges::any_of(keys_, [](const auto& key) { return moves_the_force(key.key); })) return;
+    force_ = band ? search_of(problem).refined_to(common_width) : unit_force(problem);
+  }
+
+  // From now on the modes of undamped beams with a load factor between those of the values are interpolated.
+  void tabulate(const std::vector<std::vector<double>>& values) {
+    if (problem_.beam.shear_stiffness() > 0.0) return;
+    double lowest = std::numeric_limits<double>::infinity(), highest = 0.0;
+    for (const auto& sample : values) {
+      try {
+        const data::Beam beam = case_at(sample).beam;
+        analytic::require_contact(beam);
+        const double share = beam.axial_force() / analytic::stick_buckling_load(beam);
+        lowest = std::min(lowest, share);
+        highest = std::max(highest, share);
+      } catch (const data::InputError&) {
+        continue;
+      }
+    }
+    const data::Beam& beam = problem_.beam;
+    const double buckling = analytic::stick_buckling_load(beam) * beam.length() * beam.length() /
+                            (beam.youngs_modulus() * beam.second_moment_of_area());
+    if (lowest <= highest && highest < most_tabulated)
+      table_.emplace(lowest * buckling, highest * buckling, problem_.numerics.modes(),
+                     beam.axial_direction());
+  }
+
+  // Throws data::InputError for values that no beam has.
+  [[nodiscard]] SampleResult at(std::span<const double> values) const { return of(case_at(values)); }
+
+  // The verdict alone, which far from the limit is cheaper than the force.
+  [[nodiscard]] bool slips_at(std::span<const double> values) const {
+    const data::Case problem = case_at(values);
+    if (force_ || is_damped(problem) || problem.excitation.amplitude() == 0.0) return of(problem).slips;
+    analytic::require_contact(problem.beam);
+    const double limit = friction_limit(problem) / problem.excitation.amplitude();
+    return band_ ? search_of(problem).exceeds(limit) : search_of_force(problem).exceeds(limit);
+  }
+
+  [[nodiscard]] SampleResult of(const data::Case& problem) const {
+    analytic::require_contact(problem.beam);
+    const double limit = friction_limit(problem), amplitude = problem.excitation.amplitude();
+    if (!(amplitude > 0.0)) throw data::FieldError("excitation.amplitude", amplitude, "above 0 (m)");
+    const analytic::Bounds force = force_ ? *force_ : unit_force(problem);
+    return {.critical_amplitude = limit / force.midpoint(),
+            .margin = limit / (amplitude * force.midpoint()),
+            .slips = amplitude * force.lower > limit};
+  }
+
+ private:
+  [[nodiscard]] data::Case case_at(std::span<const double> values) const {
+    std::vector<std::pair<std::string_view, double>> numbers;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      require_finite(keys_[i].key, values[i]);
+      numbers.emplace_back(keys_[i].key, values[i]);
+    }
+    return with_values(problem_, numbers);
+  }
+
+  static void require_finite(const std::string& key, double value) {
+    if (!std::isfinite(value)) throw data::FieldError(key, value, "a finite number");
+    try {
+      data::require_magnitude(key, value, key);
+    } catch (const data::InputError&) {
+      throw data::FieldError(key, value, "of a magnitude that beams have");
+    }
+  }
+
+  [[nodiscard]] analytic::ModalReaction reaction_of(const data::Case& problem) const {
+    return table_ && table_->holds(problem.beam)
+               ? table_->at(problem.beam)
+               : analytic::modal_reaction(problem.beam, problem.numerics.modes());
+  }
+
+  [[nodiscard]] analytic::BandMaximum search_of(const data::Case& problem) const {
+    return {reaction_of(problem), *band_, problem.numerics.duration()};
+  }
+
+  [[nodiscard]] analytic::ForceMaximum search_of_force(const data::Case& problem) const {
+    return {reaction_of(problem), angular_frequency(problem.excitation), problem.numerics.duration()};
+  }
+
+  [[nodiscard]] analytic::Bounds unit_force(const data::Case& problem) const {
+    if (!band_ && !is_damped(problem)) return search_of_force(problem).refined_to(force_width);
+    if (!band_)
+      return analytic::largest_unit_force(problem.beam, problem.damping, problem.excitation.frequency_hz(),
+                                          problem.numerics.duration(), problem.numerics.modes(),
+                                          analytic::SteadyPart::modal_sum, force_width);
+    return search_of(problem).refined_to(band_width);
+  }
+
+  data::Case problem_;
+  std::vector<data::UncertainKey> keys_;
+  std::optional<analytic::FrequencyBand> band_;
+  std::optional<analytic::Bounds> force_;
+  std::optional<analytic::ModalReactionTable> table_;
+};
+
+// What a function of a sample returns, or nothing for a sample that is no valid beam, and the key or the sentence that
+// says why.
+template <class Function>
+auto result_or_reason(const Function& function, std::string* reason = nullptr)
+    -> std::optional<decltype(function())> {
+  try {
+    return function();
+  } catch (const data::FieldError& error) {
+    if (reason != nullptr) *reason = error.field();
+  } catch (const data::InputError& error) {
+    if (reason != nullptr) *reason = error.what();
+  }
+  return std::nullopt;
+}
+
+std::size_t at_most(std::size_t most, const SlipSampling& sampling) {
+  return std::min(sampling.samples, sampling.band ? most / band_part : most);
+}
+
+struct Count {
+  std::size_t valid{}, slips{};
+  std::map<std::string, std::size_t> invalid{};
+};
+
+// Sums over all samples, which do not depend on their order.
+Count count_samples(const Verdicts& verdicts, const JointDistribution& joint, const SlipSampling& sampling,
+                    std::span<const double> spreads, const std::function<void(double)>& progress) {
+  Count count;
+  std::atomic<std::size_t> valid{}, slips{};
+  std::mutex guard;
+  in_parallel(
+      sampling.samples,
+      [&](std::size_t index) {
+        const auto values = joint.at(independent_point(sampling.seed, index, joint.size()), spreads);
+        std::string reason;
+        if (const auto slip = result_or_reason([&] { return verdicts.slips_at(values); }, &reason)) {
+          ++valid;
+          if (*slip) ++slips;
+          return;
+        }
+        const std::lock_guard lock(guard);
+        ++count.invalid[reason];
+      },
+      progress);
+  count.valid = valid;
+  count.slips = slips;
+  return count;
+}
+
+std::vector<SlipUncertainty::Quantile> quantiles_of(const Verdicts& verdicts, const JointDistribution& joint,
+                                                    const SlipSampling& sampling,
+                                                    const std::function<void(double)>& progress) {
+  std::vector<std::optional<SampleResult>> all(at_most(most_quantile_samples, sampling));
+  in_parallel(
+      all.size(),
+      [&](std::size_t index) {
+        const auto values = joint.at(independent_point(sampling.seed, index, joint.size()));
+        all[index] = result_or_reason([&] { return verdicts.at(values); });
+      },
+      progress);
+  std::vector<double> amplitudes, margins;
+  for (const auto& verdict : all) {
+    if (!verdict) continue;
+    amplitudes.push_back(verdict->critical_amplitude);
+    margins.push_back(verdict->margin);
+  }
+  std::vector<SlipUncertainty::Quantile> quantiles;
+  if (margins.empty()) return quantiles;
+  std::ranges::sort(amplitudes);
+  std::ranges::sort(margins);
+  for (const double p : quantile_probabilities)
+    quantiles.push_back({p, quantile_of(amplitudes, p), quantile_of(margins, p)});
+  return quantiles;
+}
+
+// The margin with one key at a value, if that is a beam.
+std::optional<double> margin_with(const data::Case& problem, const std::string& key, double value,
+                                  const std::optional<analytic::FrequencyBand>& band) {
+  return result_or_reason([&] {
+    const Verdicts alone(problem, {.keys = {{key, {}, {}}}, .correlation = {1.0}}, band);
+    return alone.at(std::span(&value, 1)).margin;
+  });
+}
+
+std::vector<SlipUncertainty::Tornado> tornado_of(const data::Case& problem,
+                                                 const data::Uncertainty& uncertainty,
+                                                 const std::optional<analytic::FrequencyBand>& band) {
+  std::vector<SlipUncertainty::Tornado> rows;
+  for (const auto& key : uncertainty.keys) {
+    const auto margin_at = [&](double value) { return margin_with(problem, key.key, value, band); };
+    const double low = quantile(key.distribution, 0.05), high = quantile(key.distribution, 0.95);
+    rows.push_back({key.key, low, high, margin_at(low), margin_at(high)});
+  }
+  return rows;
+}
+
+// Of the tornado: |log(margin_high/margin_low)|; a beam that is lost is as wide as it gets.
+double width_of(const SlipUncertainty::Tornado& row) {
+  if (!row.margin_low || !row.margin_high) return std::numeric_limits<double>::infinity();
+  return std::abs(std::log(*row.margin_high / *row.margin_low));
+}
+
+std::size_t decisive_key(const SlipUncertainty& result) {
+  if (!result.sensitivity) {
+    const auto widest = std::ranges::max_element(result.tornado, {}, width_of);
+    return static_cast<std::size_t>(widest - result.tornado.begin());
+  }
+  const auto& indices = result.sensitivity->indices;
+  const auto largest =
+      std::ranges::max_element(indices, {}, [](const auto& index) { return index.total.value; });
+  return static_cast<std::size_t>(largest - indices.begin());
+}
+
+void require_answerable(const data::Case& problem, const data::Uncertainty& uncertainty,
+                        const SlipSampling& sampling) {
+  if (uncertainty.keys.empty())
+    throw data::InputError(
+        "uncertainty is missing, but the case must have a table [uncertainty] with one key or more "
+        "that --set does not fix");
+  for (const auto& key : uncertainty.keys)
+    if (key.key.starts_with("contact."))
+      throw data::FieldError("[uncertainty]", key.key,
+                             "a key of another table: here the tip is held or slides");
+  require_friction(problem);
+  if (!sampling.band) return;
+  for (const auto& key : uncertainty.keys)
+    if (key.key == "excitation.frequency_hz" || key.key.starts_with("damping."))
+      throw data::InputError(key.place + ": " + key.key + " is uncertain, but must be certain with a band");
+  if (is_damped(problem))
+    throw data::InputError("the case is damped, but must have no damping with a band; design takes damping");
+}
+
+}  // namespace
+
+data::Uncertainty without(const data::Uncertainty& uncertainty, const std::vector<std::string>& keys) {
+  std::vector<std::size_t> kept;
+  data::Uncertainty result;
+  for (std::size_t i = 0; i < uncertainty.keys.size(); ++i) {
+    if (std::ranges::find(keys, uncertainty.keys[i].key) != keys.end()) continue;
+    kept.push_back(i);
+    result.keys.push_back(uncertainty.keys[i]);
+  }
+  for (const std::size_t i : kept)
+    for (const std::size_t j : kept)
+      result.correlation.push_back(uncertainty.correlation[i * uncertainty.keys.size() + j]);
+  return result;
+}
+
+SlipUncertainty slip_uncertainty(const data::Case& problem, const data::Uncertainty& uncertainty,
+                                 const SlipSampling& sampling, const std::function<void(double)>& progress) {
+  require_answerable(problem, uncertainty, sampling);
+  Verdicts verdicts(problem, uncertainty, sampling.band);
+  const JointDistribution joint(uncertainty);
+  SlipUncertainty result;
+  result.nominal_margin = verdicts.of(problem).margin;
+  std::vector<std::vector<double>> pilots;
+  for (std::size_t index = 0; index < pilot_count; ++index)
+    pilots.push_back(joint.at(independent_point(sampling.seed, index, joint.size())));
+  verdicts.tabulate(pilots);
+
+  const bool has_indices = joint.is_independent() && joint.size() <= 20;
+  const std::size_t rows = at_most(most_index_rows, sampling);
+  const double index_work = has_indices ? static_cast<double>(rows * (joint.size() + 2)) : 0.0;
+  const auto draws = 0.1 * static_cast<double>(sampling.samples);  // what a verdict costs, of a margin
+  const auto margins = static_cast<double>(at_most(most_quantile_samples, sampling));
+  const double work = 2.0 * draws + margins + index_work;
+  double done = 0.0;
+  const auto part = [&](double length) {
+    const double from = done / work, share = length / work;
+    done += length;
+    return [&progress, from, share](double finished) {
+      if (progress) progress(from + share * finished);
+    };
+  };
+  const Count count = count_samples(verdicts, joint, sampling, {}, part(draws));
+  if (count.valid == 0)
+    throw data::InputError(
+        "no sample is a beam with a verdict, but one or more must be; most have no valid " +
+        std::ranges::max_element(count.invalid, {}, [](const auto& row) { return row.second; })->first);
+  result.valid = count.valid;
+  result.slips = count.slips;
+  result.invalid = count.invalid;
+  result.probability_of_slip = probability_of(count.slips, count.valid);
+  result.quantiles = quantiles_of(verdicts, joint, sampling, part(margins));
+  result.tornado = tornado_of(problem, uncertainty, sampling.band);
+  if (has_indices)
+    result.sensitivity = sobol_indices(
+        [&](std::span<const double> u) {
+          return result_or_reason([&] { return std::log(verdicts.at(joint.at(u)).margin); });
+        },
+        joint.size(), rows, sampling.seed, part(index_work));
+  result.decisive = decisive_key(result);
+  std::vector<double> spreads(joint.size(), 1.0);
+  spreads[result.decisive] = 0.5;
+  const Count halved = count_samples(verdicts, joint, sampling, spreads, part(draws));
+  if (halved.valid > 0) result.probability_with_half_spread = probability_of(halved.slips, halved.valid);
+  result.tightening_helps = result.probability_with_half_spread.value < result.probability_of_slip.value;
+  if (!result.tightening_helps && result.slips > 0)
+    result.best_change = best_change(problem, [&](std::string_view key, double value) {
+      if (sampling.band && key == "excitation.frequency_hz") return std::optional<double>();
+      const double ratio = value / data::value_of(problem, key);
+      if (key == "excitation.amplitude") return std::optional(result.nominal_margin / ratio);
+      if (key == "friction.static_coefficient") return std::optional(result.nominal_margin * ratio);
+      return margin_with(problem, std::string(key), value, sampling.band);
+    });
+  return result;
+}
+
+}  // namespace stickslip::studies

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// The probability of slip if keys of the case are uncertain.
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "stickslip/analytic/band_maximum.hpp"
+#include "stickslip/data/problem.hpp"
+#include "studies/analyses/criterion_answer.hpp"
+#include "studies/analyses/sampling.hpp"
+
+namespace stickslip::studies {
+
+struct SlipSampling {
+  std::size_t samples = 10000;
+  std::uint64_t seed = 1;
+  /// The margin over a band of excitation frequencies (BandMaximum) instead of that at excitation.frequency_hz.
+  std::optional<analytic::FrequencyBand> band{};
+};
+
+/// The margin is μ_s P/|f_max| = critical amplitude / amplitude; the tip slips below 1.
+struct SlipUncertainty {
+  struct Quantile {
+    double probability{};
+    Estimate critical_amplitude;  ///< m
+    Estimate margin;
+  };
+  /// The margin with one key at its 5 % and 95 % quantiles and the others as in the case; empty where there is no
+  /// such beam.
+  struct Tornado {
+    std::string key;
+    double low{}, high{};
+    std::optional<double> margin_low, margin_high;
+  };
+
+  std::size_t valid{}, slips{};
+  /// Samples without a verdict, by the key that cannot have its value, as in {"beam.axial_force", 12}. They
+  /// count in no other result.
+  std::map<std::string, std::size_t> invalid;
+  double nominal_margin{};
+  Estimate probability_of_slip;     ///< among the valid samples
+  std::vector<Quantile> quantiles;  ///< at 5, 25, 50, 75, 95 %
+  std::vector<Tornado> tornado;     ///< in the order of the keys
+  /// Indices of log(margin), in the order of the keys; empty if keys are correlated, or more than 20.
+  std::optional<Sensitivity> sensitivity;
+  std::size_t decisive{};  ///< the key with the largest total index, or the widest row of the tornado
+  /// The same samples, with the normal score of that key halved.
+  Estimate probability_with_half_spread;
+  bool
+      tightening_helps{};  ///< that is below the probability of slip; a case that slips in the mean slips more surely
+  std::optional<Change> best_change;  ///< of the mean, where tightening does not help and samples slip
+};
+
+/// The largest number of rows of the Sobol' indices, and the part of it that is taken with a band, whose margins are
+/// forty times as expensive.
+constexpr std::size_t most_index_rows = 4096, band_part = 16;
+
+/// The largest number of samples whose margin is computed for the quantiles, the first ones; with a band the same
+/// part of it.
+constexpr std::size_t most_quantile_samples = 10000;
+
+/// Draws independent samples of the keys, builds the case of each and evaluates the criterion: the verdict of all
+/// samples (ForceMaximum::exceeds, BandMaximum::exceeds), and |f_max| to 1e-8, or over a band to 1e-3, of those
+/// whose margin is asked for. If a sampled static coefficient is below the kinetic one, and that is certain, the
+/// kinetic one is set to the same value. The indices take as many rows as samples, up to most_index_rows. Uses
+/// thread_count() threads; the result depends on the seed and not on their number.
+///
+/// Throws data::InputError for a case without a verdict of its own (no compression, no amplitude, no friction),
+/// without uncertain keys, or with a band and damping or an uncertain frequency, and if no sample is valid.
+[[nodiscard]] SlipUncertainty slip_uncertainty(const data::Case& problem,
+                                               const data::Uncertainty& uncertainty,
+                                               const SlipSampling& sampling,
+                                               const std::function<void(double)>& progress = {});
+
+/// What is uncertain without these keys, which are given.
+[[nodiscard]] data::Uncertainty without(const data::Uncertainty& uncertainty,
+                                        const std::vector<std::string>& keys);
+
+}  // namespace stickslip::studies

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "studies/verification/energy_audit.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "stickslip/analytic/beam_contact_model.hpp"
+#include "stickslip/solver/beam_simulation.hpp"
+#include "studies/history/history.hpp"
+
+namespace stickslip::studies {
+
+namespace {
+
+solver::EnergyBalance stepped_balance(const data::Case& problem, double duration, int elements,
+                                      double time_step) {
+  solver::BeamSimulation simulation(problem.beam, problem.friction, problem.excitation,
+                                    refined(problem, elements, time_step, duration, 1.0).numerics,
+                                    {.damping = problem.damping});
+  solver::EnergyRecorder recorder(simulation.integrator());
+  simulation.observe([&recorder](const solver::StickSlipIntegrator& now) { recorder.record(now); });
+  for (long n = solver::step_count(duration, time_step); n > 0; --n) simulation.step();
+  return recorder.balance();
+}
+
+}  // namespace
+
+std::vector<double> EnergyAudit::Mesh::residual() const {
+  std::vector<double> values;
+  for (const auto& balance : stepped) values.push_back(balance.residual());
+  return values;
+}
+
+std::vector<double> EnergyAudit::Mesh::base_work() const {
+  std::vector<double> values;
+  for (const auto& balance : stepped) values.push_back(balance.base_work);
+  return values;
+}
+
+double EnergyAudit::Mesh::largest_unexplained() const {
+  double largest = 0.0;
+  for (const auto& balance : stepped)
+    largest = largest_or_nan({largest, std::abs(balance.residual() / balance.base_work)});
+  return largest;
+}
+
+EnergyAudit energy_audit(const data::Case& problem, double duration, const std::vector<int>& elements,
+                         int modes, const std::vector<double>& time_steps) {
+  const analytic::BeamContactModel beam(problem.beam, problem.friction, problem.excitation, problem.damping,
+                                        modes);
+  analytic::EventDriven run(beam.model(), {.keep_energy_balance = true});
+  const double initial = run.energy_balance().kinetic + run.energy_balance().potential;
+  run.advance_to(duration);
+  EnergyAudit audit{.kelvin_voigt = problem.damping.kelvin_voigt(),
+                    .duration = duration,
+                    .modes = modes,
+                    .event_driven = run.energy_balance(),
+                    .event_driven_initial = initial,
+                    .time_step = time_steps,
+                    .meshes = {}};
+  for (const int count : elements) {
+    EnergyAudit::Mesh mesh{.elements = count, .stepped = {}, .observed_order = {}};
+    std::vector<double> residuals;
+    for (const double time_step : time_steps) {
+      mesh.stepped.push_back(stepped_balance(problem, duration, count, time_step));
+      residuals.push_back(std::abs(mesh.stepped.back().residual()));
+    }
+    mesh.observed_order = order_estimate(time_steps, residuals);
+    audit.meshes.push_back(std::move(mesh));
+  }
+  return audit;
+}
+
+}  // namespace stickslip::studies

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include "studies/verification/force_maximum.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "stickslip/analytic/criterion.hpp"
+#include "stickslip/analytic/stick_response.hpp"
+#include "stickslip/data/paper.hpp"
+#include "stickslip/solver/beam_simulation.hpp"
+#include "studies/common/discretisation.hpp"
+
+namespace stickslip::studies {
+
+namespace {
+
+constexpr int reference_modes = 100;
+// Number of modes whose discrete frequency is predicted well enough on the meshes used here.
+constexpr int predicted_modes = 20;
+
+double relative_difference(double a, double b) { return std::abs(a / b - 1.0); }
+
+}  // namespace
+
+double ForceMaximumStudy::sampling_difference() const {
+  return relative_difference(sampled, truncated.midpoint());
+}
+
+double ForceMaximumStudy::truncation_difference() const {
+  return relative_difference(truncated.midpoint(), converged.midpoint());
+}
+
+double ForceMaximumStudy::discretisation_difference() const {
+  return relative_difference(finite_element, converged.midpoint());
+}
+
+double ForceMaximumStudy::prediction_difference() const {
+  return relative_difference(finite_element, predicted_finite_element);
+}
+
+double ForceMaximumStudy::printed_difference() const {
+  return relative_difference(sampled, data::printed_number(fmt::format("force_max.{}", frequency_hz)).value);
+}
+
+ForceMaximumStudy force_maximum_study(const data::Beam& beam, const data::HarmonicExcitation& excitation,
+                                      const data::NumericalSettings& numerics) {
+  const analytic::StickResponse truncated(beam, excitation, numerics.modes());
+  const analytic::StickResponse converged(beam, excitation, reference_modes, analytic::SteadyPart::exact);
+  const PredictedForce predicted(beam, excitation, numerics, predicted_modes);
+  const double duration = numerics.duration();
+  return {.frequency_hz = excitation.frequency_hz(),
+          .amplitude = excitation.amplitude(),
+          .sampled = truncated.sampled_max_abs_friction_force(duration, numerics.time_step()).lower,
+          .truncated = truncated.max_abs_friction_force(duration),
+          .converged = converged.max_abs_friction_force(duration, 1e-9),
+          .finite_element = solver::max_abs_friction_force(beam, excitation, numerics),
+          .predicted_finite_element = predicted.max_abs(),
+          .prediction_uncertainty = predicted.uncertainty()};
+}
+
+std::vector<CriticalAmplitudePoint> critical_amplitude_curve(const data::Beam& beam,
+                                                             const data::FrictionLaw& friction,
+                                                             const data::NumericalSettings& numerics,
+                                                             const std::vector<double>& frequencies_hz) {
+  std::vector<CriticalAmplitudePoint> curve;
+  for (const double hz : frequencies_hz) {
+    const data::HarmonicExcitation unit({.frequency_hz = hz, .amplitude = 1e-3});
+    const analytic::Criterion criterion = analytic::evaluate_criterion(
+        beam, friction, unit, numerics.duration(), numerics.modes(), analytic::SteadyPart::modal_sum, 1e-6);
+    curve.push_back({hz, criterion.critical_amplitude.midpoint()});
+  }
+  return curve;
+}
+
+AmplitudeRatio amplitude_ratio(const std::vector<CriticalAmplitudePoint>& curve,
+                               const std::vector<CriticalAmplitudePoint>& reference) {
+  std::vector<double> ratios;
+  for (std::size_t i = 0; i < curve.size(); ++i)
+    ratios.push_back(curve[i].critical_amplitude / reference[i].critical_amplitude);
+  std::ranges::sort(ratios);
+  const std::size_t tenth = ratios.size() / 10;
+  return {.low_tenth = ratios[tenth],
+          .median = ratios[ratios.size() / 2],
+          .high_tenth = ratios[ratios.size() - 1 - tenth]};
+}
+
+}  // namespace stickslip::studies

@@ -1,0 +1,337 @@
+// SPDX-License-Identifier: MIT
+#include "studies/verification/force_sensitivity.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <functional>
+#include <iterator>
+#include <limits>
+#include <numbers>
+
+#include "stickslip/analytic/stick_response.hpp"
+#include "stickslip/solver/beam_simulation.hpp"
+#include "studies/common/common_digits.hpp"
+#include "studies/common/convergence.hpp"
+#include "studies/common/parallel.hpp"
+#include "studies/verification/printed_forces.hpp"
+
+namespace stickslip::studies {
+
+namespace {
+
+constexpr int all_modes = 100;  // with the exact steady part; the omitted modes are bounded
+constexpr double relative_width = 1e-13;
+constexpr std::size_t frequency_count = std::size(printed_frequencies);
+
+double per_cent(double value, double reference) { return 100.0 * (value / reference - 1.0); }
+
+double true_maximum(const data::Beam& beam, const data::HarmonicExcitation& excitation, int modes,
+                    double duration, double width = relative_width) {
+  return analytic::StickResponse(beam, excitation, modes).max_abs_friction_force(duration, width).midpoint();
+}
+
+// All modes in continuous time. The bounds include the possible contribution of the omitted free vibrations.
+analytic::Bounds problem_bounds(const data::Case& paper, double hz) {
+  const analytic::StickResponse response(paper.beam, printed_excitation(hz), all_modes,
+                                         analytic::SteadyPart::exact);
+  const analytic::Bounds kept = response.max_abs_friction_force(paper.numerics.duration(), relative_width);
+  const double omitted = response.omitted_transient_bound();
+  return {kept.lower - omitted, kept.upper + omitted};
+}
+
+// Bound of the difference between f with all modes and f of Eq. (28) with N, at any time.
+double truncation_bound(const data::Case& paper, double hz) {
+  const analytic::StickResponse all(paper.beam, printed_excitation(hz), all_modes,
+                                    analytic::SteadyPart::exact),
+      kept(paper.beam, printed_excitation(hz), paper.numerics.modes());
+  double bound =
+      std::abs(all.steady_force_amplitude() - kept.steady_force_amplitude()) + all.omitted_transient_bound();
+  const auto free = all.transient_force();
+  for (std::size_t n = kept.modes().size(); n < free.size(); ++n) bound += std::abs(free[n].amplitude);
+  return bound;
+}
+
+// A row of the study and the function that computes its force at one excitation.
+struct RowPlan {
+  ForceRow row;
+  std::size_t baseline;  // index of the row without a change
+  std::function<double(const data::HarmonicExcitation&)> force;
+};
+
+class RowPlans {
+ public:
+  explicit RowPlans(const data::Case& paper) : paper_(paper) {
+    add_closed_form();
+    add_finite_elements();
+  }
+
+  [[nodiscard]] std::vector<ForceRow> evaluated() && {
+    for (RowPlan& plan : plans_) plan.row.force.resize(frequency_count);
+    in_parallel(plans_.size() * frequency_count, [this](std::size_t index) {
+      RowPlan& plan = plans_[index / frequency_count];
+      const std::size_t i = index % frequency_count;
+      plan.row.force[i] = plan.force(printed_excitation(printed_frequencies[i]));
+    });
+    std::vector<ForceRow> rows;
+    for (RowPlan& plan : plans_) {
+      for (std::size_t i = 0; i < frequency_count; ++i)
+        plan.row.change.push_back(per_cent(plan.row.force[i], plans_[plan.baseline].row.force[i]));
+      rows.push_back(plan.row);
+    }
+    return rows;
+  }
+
+ private:
+  void add(std::string factor, std::string setting, bool left_open,
+           std::function<double(const data::HarmonicExcitation&)> force) {
+    plans_.push_back({{std::move(factor), std::move(setting), baseline_ == 0, left_open, {}, {}},
+                      baseline_,
+                      std::move(force)});
+  }
+
+  void add_closed_form() {
+    const data::Beam& beam = paper_.beam;
+    const int modes = paper_.numerics.modes();
+    const double duration = paper_.numerics.duration();
+    add("closed form", fmt::format("N = {}, continuous time", modes), true,
+        [=](const auto& excitation) { return true_maximum(beam, excitation, modes, duration); });
+    for (const int n : {5, 8, 12, 20, 50})
+      add("modes", fmt::format("{}", n), false,
+          [=](const auto& excitation) { return true_maximum(beam, excitation, n, duration); });
+    add("modes", "all", false, [this](const auto& excitation) {
+      return problem_bounds(paper_, excitation.frequency_hz()).midpoint();
+    });
+    for (const double step : {1e-5, 1e-4, 1e-3, 5e-3})
+      add("sampling step", fmt::format("{:g} s", step), true, [=](const auto& excitation) {
+        return analytic::StickResponse(beam, excitation, modes)
+            .sampled_max_abs_friction_force(duration, step)
+            .lower;
+      });
+    for (const double axial_force : {0.0, 499.0, 501.0})
+      add("axial force", fmt::format("{:g} N", axial_force), false, [=](const auto& excitation) {
+        return true_maximum(with(beam, &data::BeamProperties::axial_force, axial_force), excitation, modes,
+                            duration);
+      });
+    for (const double other : {5.0, 20.0})
+      add("duration", fmt::format("{:g} s", other), false,
+          [=](const auto& excitation) { return true_maximum(beam, excitation, modes, other); });
+  }
+
+  void add_finite_elements() {
+    const data::NumericalChoices stated = paper_.numerics.choices();
+    baseline_ = plans_.size();
+    add_run("finite elements",
+            fmt::format("{} elements, {:g} s, spectral radius {:g}", stated.elements, stated.time_step,
+                        stated.spectral_radius),
+            true, stated);
+    for (const int elements : {10, 40, 80}) {
+      data::NumericalChoices choices = stated;
+      choices.elements = elements;
+      add_run("elements", fmt::format("{}", elements), true, choices);
+    }
+    for (const double step : {4e-4, 2e-4, 5e-5}) {
+      data::NumericalChoices choices = stated;
+      choices.time_step = step;
+      add_run("time step", fmt::format("{:g} s", step), false, choices);
+    }
+    for (const double radius : {0.5, 1.0}) {
+      data::NumericalChoices choices = stated;
+      choices.spectral_radius = radius;
+      add_run("spectral radius", fmt::format("{:g}", radius), true, choices);
+    }
+  }
+
+  void add_run(std::string factor, std::string setting, bool left_open,
+               const data::NumericalChoices& choices) {
+    const data::NumericalSettings numerics(choices);
+    add(std::move(factor), std::move(setting), left_open, [this, numerics](const auto& excitation) {
+      return solver::max_abs_friction_force(paper_.beam, excitation, numerics);
+    });
+  }
+
+  const data::Case& paper_;
+  std::size_t baseline_ = 0;
+  std::vector<RowPlan> plans_;
+};
+
+// A given quantity: its printed value at a frequency, and |f_max| for another value of it.
+struct Input {
+  std::string name;
+  std::function<data::PrintedNumber(double hz)> printed;
+  std::function<double(double hz, double value, double relative_width)> force;
+};
+
+std::vector<Input> inputs(const data::Case& paper) {
+  const int modes = paper.numerics.modes();
+  const double duration = paper.numerics.duration();
+  const data::Beam beam = paper.beam;
+  std::vector<Input> list;
+  const auto add = [&](const char* name, const char* id, double data::BeamProperties::*field) {
+    list.push_back({name, [id](double) { return data::printed_number(id); },
+                    [=](double hz, double value, double width) {
+                      return true_maximum(with(beam, field, value), printed_excitation(hz), modes, duration,
+                                          width);
+                    }});
+  };
+  add("E", "parameter.youngs_modulus", &data::BeamProperties::youngs_modulus);
+  add("rho", "parameter.density", &data::BeamProperties::density);
+  add("P", "parameter.axial_force", &data::BeamProperties::axial_force);
+  add("L", "parameter.length", &data::BeamProperties::length);
+  list.push_back({"Omega",
+                  [](double hz) {
+                    return data::printed_number(fmt::format("excitation.frequency.{}", std::lround(hz)));
+                  },
+                  [=](double, double value, double width) {
+                    return true_maximum(beam, printed_excitation(value), modes, duration, width);
+                  }});
+  return list;
+}
+
+std::vector<InputSensitivity> input_sensitivities(const data::Case& paper, const ForceRow& baseline) {
+  // Central differences. The accuracy relative_width of the maxima causes an error of about 1e-5 in the
+  // slope. The error from the third derivative is smaller: the phase change ω_N T change of the highest
+  // mode is 1e-3.
+  constexpr double change = 1e-8;
+  constexpr double range = 1e-3;
+  constexpr int values_each_side = 20;
+  const std::vector<Input> list = inputs(paper);
+  const std::vector<double> empty(frequency_count);
+  std::vector<InputSensitivity> sensitivities;
+  for (const Input& input : list) sensitivities.push_back({input.name, empty, empty, empty});
+  in_parallel(list.size() * frequency_count, [&](std::size_t index) {
+    const Input& input = list[index / frequency_count];
+    InputSensitivity& sensitivity = sensitivities[index / frequency_count];
+    const std::size_t i = index % frequency_count;
+    const double hz = printed_frequencies[i], force = baseline.force[i];
+    const data::PrintedNumber given = input.printed(hz);
+    const auto at = [&](double value) { return input.force(hz, value, relative_width); };
+    sensitivity.relative[i] =
+        (at(given.value * (1.0 + change)) - at(given.value * (1.0 - change))) / (2.0 * change * force);
+    for (int k = -values_each_side; k <= values_each_side; ++k) {
+      const double other =
+          per_cent(input.force(hz, given.value * (1.0 + range * k / values_each_side), 1e-7), force);
+      sensitivity.lowest_change[i] = std::min(sensitivity.lowest_change[i], other);
+      sensitivity.highest_change[i] = std::max(sensitivity.highest_change[i], other);
+    }
+  });
+  return sensitivities;
+}
+
+ForceRange force_range(const analytic::Bounds& force, const data::PrintedNumber& printed) {
+  return {
+      force, common_digits(force),
+      force.lower <= printed.value + printed.half_digit && force.upper >= printed.value - printed.half_digit};
+}
+
+// The range over the rows with left_open: those of Eq. (28) only, or all.
+analytic::Bounds range_left_open(const std::vector<ForceRow>& rows, std::size_t frequency,
+                                 bool formula_only) {
+  analytic::Bounds range{std::numeric_limits<double>::infinity(), 0.0};
+  for (const ForceRow& row : rows) {
+    if (!row.left_open || (formula_only && !row.closed_form)) continue;
+    range.lower = std::min(range.lower, row.force[frequency]);
+    range.upper = std::max(range.upper, row.force[frequency]);
+  }
+  return range;
+}
+
+std::vector<ForceDigits> force_digits(const data::Case& paper, const std::vector<ForceRow>& rows) {
+  std::vector<ForceDigits> digits;
+  for (std::size_t i = 0; i < frequency_count; ++i) {
+    const double hz = printed_frequencies[i];
+    const data::PrintedNumber printed = printed_force(hz);
+    digits.push_back({hz, printed.value, printed.half_digit,
+                      force_range(range_left_open(rows, i, true), printed),
+                      force_range(range_left_open(rows, i, false), printed),
+                      force_range(problem_bounds(paper, hz), printed), truncation_bound(paper, hz)});
+  }
+  return digits;
+}
+
+// Largest |f| on a grid of times for N = 1 ... modes at once. The steady part with N modes and their free
+// vibrations are each advanced by one complex multiplication per step.
+std::vector<double> sampled_maxima(const data::Case& paper, double hz, int modes, double step) {
+  using Complex = std::complex<double>;
+  const data::HarmonicExcitation excitation = printed_excitation(hz);
+  struct Phasor {
+    Complex value, factor;  // the sinusoid is the imaginary part of value
+  };
+  const auto phasor = [step](double amplitude, double angular_frequency) {
+    return Phasor{amplitude, std::polar(1.0, angular_frequency * step)};
+  };
+  std::vector<double> steady;
+  std::vector<Phasor> free;
+  for (int n = 1; n <= modes; ++n) {
+    const analytic::StickResponse response(paper.beam, excitation, n);
+    steady.push_back(response.steady_force_amplitude());
+    const analytic::Sinusoid last = response.transient_force().back();
+    free.push_back(phasor(last.amplitude, last.angular_frequency));
+  }
+  Phasor forced = phasor(1.0, 2.0 * std::numbers::pi * hz);
+  std::vector<double> largest(steady.size());
+  for (long i = std::lround(paper.numerics.duration() / step); i >= 0; --i) {
+    double vibrations = 0.0;
+    for (std::size_t n = 0; n < steady.size(); ++n) {
+      vibrations += free[n].value.imag();
+      largest[n] = std::max(largest[n], std::abs(steady[n] * forced.value.imag() + vibrations));
+      free[n].value *= free[n].factor;
+    }
+    forced.value *= forced.factor;
+  }
+  return largest;
+}
+
+SamplingSearch sampling_search(const data::Case& paper) {
+  SamplingSearch search;
+  search.most_modes = 30;
+  search.sampling_steps = {1e-5, 2e-5,    2.5e-5, 5e-5,   1e-4, 2e-4, 2.5e-4, 5e-4,
+                           1e-3, 1.25e-3, 2e-3,   2.5e-3, 4e-3, 5e-3, 1e-2};
+  // Another usual choice is a number of points that is a power of ten, with both ends included.
+  for (const double points : {1e3, 1e4, 1e5})
+    search.sampling_steps.push_back(paper.numerics.duration() / (points - 1.0));
+  const std::size_t steps = search.sampling_steps.size();
+  std::vector<std::vector<double>> maxima(steps * frequency_count);
+  in_parallel(maxima.size(), [&](std::size_t index) {
+    maxima[index] = sampled_maxima(paper, printed_frequencies[index % frequency_count], search.most_modes,
+                                   search.sampling_steps[index / frequency_count]);
+  });
+  const auto closer = [](const SamplingTrial& a, const SamplingTrial& b) {
+    return b.force.empty() || a.largest_difference < b.largest_difference;
+  };
+  for (std::size_t k = 0; k < steps; ++k) {
+    for (int modes = 1; modes <= search.most_modes; ++modes) {
+      SamplingTrial trial{.modes = modes, .sampling_step = search.sampling_steps[k], .force = {}};
+      for (std::size_t i = 0; i < frequency_count; ++i) {
+        const data::PrintedNumber printed = printed_force(printed_frequencies[i]);
+        trial.force.push_back(maxima[k * frequency_count + i][static_cast<std::size_t>(modes - 1)]);
+        const double difference = std::abs(trial.force.back() - printed.value) / printed.half_digit;
+        trial.largest_difference = largest_or_nan({trial.largest_difference, difference});
+        if (difference <= 1.0) ++trial.returned;
+      }
+      if (trial.returned == static_cast<int>(frequency_count)) ++search.returning_all;
+      if (closer(trial, search.closest)) search.closest = trial;
+      if (trial.returned > search.most_returned.returned ||
+          (trial.returned == search.most_returned.returned && closer(trial, search.most_returned)))
+        search.most_returned = trial;
+    }
+  }
+  return search;
+}
+
+}  // namespace
+
+ForceSensitivity force_sensitivity(const data::Case& paper) {
+  ForceSensitivity study;
+  study.frequency_hz.assign(std::begin(printed_frequencies), std::end(printed_frequencies));
+  study.rows = RowPlans(paper).evaluated();
+  study.inputs = input_sensitivities(paper, study.rows.front());
+  study.digits = force_digits(paper, study.rows);
+  study.search = sampling_search(paper);
+  return study;
+}
+
+}  // namespace stickslip::studies

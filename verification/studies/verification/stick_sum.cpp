@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+#include "studies/verification/stick_sum.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+
+#include "stickslip/analytic/stick_modes.hpp"
+#include "studies/common/problem_parameter.hpp"
+
+namespace stickslip::studies {
+
+namespace {
+
+double square(double x) { return x * x; }
+
+// f_S h + f_a h_tt, or y_S h, for h of unit amplitude.
+double driven_part(const StickSum& sum, StickReading reading, double omega) {
+  return reading == StickReading::force ? sum.force - square(omega) * sum.force_per_acceleration
+                                        : sum.displacement;
+}
+
+double weight_of(const StickSum::Mode& mode, StickReading reading) {
+  return reading == StickReading::force ? mode.force : mode.displacement;
+}
+
+// ∫_0^L U dx from U'''' + p U'' = k U integrated once, with U'(0) = 0 and k = β² betabar².
+double shape_integral(const analytic::StickMode& mode, double length, double p) {
+  const double k = square(mode.hyperbolic_wave_number() * mode.trigonometric_wave_number());
+  return (mode.third_derivative(length) - mode.third_derivative(0.0) + p * mode.slope(length)) / k;
+}
+
+}  // namespace
+
+StickSum stick_sum(const data::Beam& beam, int modes) {
+  const double length = beam.length(), rigidity = beam.youngs_modulus() * beam.second_moment_of_area();
+  const double axial_force = beam.axial_force();
+  const double fixed = beam.axial_direction() * axial_force, follower = axial_force - fixed;
+  const analytic::QuasiStaticShape shape(beam);
+  StickSum sum{.force = rigidity * shape.third_derivative(length) + fixed * shape.slope(length),
+               .follower_force = follower * shape.slope(length),
+               .displacement = 1.0 + shape.value(0.5 * length),
+               .modes = {}};
+  for (const analytic::StickMode& mode : analytic::stick_modes(beam, modes))
+    sum.modes.push_back(
+        {.natural_frequency = mode.angular_frequency(),
+         .oscillator_frequency = mode.angular_frequency(),
+         .participation = mode.participation(),
+         .rigid_participation = -shape_integral(mode, length, axial_force / rigidity) / mode.norm_squared(),
+         .force = rigidity * mode.third_derivative(length) + fixed * mode.slope(length),
+         .follower_force = follower * mode.slope(length),
+         .displacement = mode.shape(0.5 * length)});
+  return sum;
+}
+
+// In the coordinates of the mesh (frame of the base) the tip moves by -h under the load p h_tt: q = S h + sum
+// φ_n T_n with S_c = -1 and K_ff S_f + K_fc S_c = 0. The contact row of the slip-state balance gives f_d =
+// -f.
+StickSum stick_sum(const solver::BeamModel& mesh, const solver::ContactSystem& system,
+                   const Eigen::RowVectorXd& force_row) {
+  const Eigen::Index size = system.mass.rows(), c = system.contact;
+  std::vector<Eigen::Index> others;
+  for (Eigen::Index i = 0; i < size; ++i)
+    if (i != c) others.push_back(i);
+  const Eigen::MatrixXd mass(system.mass), stiffness(system.stick_stiffness), slip(system.slip_stiffness);
+  const Eigen::MatrixXd held_mass = mass(others, others), held_stiffness = stiffness(others, others);
+
+  const Eigen::LLT<Eigen::MatrixXd> factors(held_stiffness);
+  if (factors.info() != Eigen::Success)
+    throw data::FieldError("beam.axial_force", mesh.beam().axial_force(),
+                           "below the buckling load of the mesh (N)");
+  Eigen::VectorXd shape(size);
+  shape[c] = -1.0;
+  shape(others) = Eigen::VectorXd(factors.solve(stiffness(others, c)));
+
+  const Eigen::RowVectorXd midspan = mesh.interpolation(0.5 * mesh.beam().length()).transpose();
+  const bool from_balance = force_row.size() == 0;
+  const Eigen::VectorXd unbalanced = system.load_shape - mass * shape;
+  StickSum sum{.force = from_balance ? -slip.row(c).dot(shape) : force_row.dot(shape),
+               .force_per_acceleration = from_balance ? unbalanced[c] : 0.0,
+               .displacement = 1.0 + midspan.dot(shape),
+               .modes = {}};
+
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> eigen(held_stiffness, held_mass);
+  if (eigen.info() != Eigen::Success)
+    throw std::runtime_error("the natural frequencies of the mesh cannot be found");
+  for (Eigen::Index n = 0; n < eigen.eigenvalues().size(); ++n) {
+    const Eigen::VectorXd phi = eigen.eigenvectors().col(n);
+    const double square_frequency = eigen.eigenvalues()[n], frequency = std::sqrt(square_frequency);
+    const double participation = phi.dot(unbalanced(others));
+    const double inertia = mass.row(c)(others).dot(phi);
+    if (from_balance) sum.force_per_acceleration -= inertia * participation;
+    sum.modes.push_back({.natural_frequency = frequency,
+                         .oscillator_frequency = frequency,
+                         .participation = participation,
+                         .force = from_balance ? square_frequency * inertia - slip.row(c)(others).dot(phi)
+                                               : force_row(others).dot(phi),
+                         .displacement = midspan(others).dot(phi)});
+  }
+  return sum;
+}
+
+// T_n/A0 = Ω² C_n (w sin(Ω t) - Ω sin(w t)) / ((Ω² - w²) w) + V_n Ω sin(w t)/w.
+std::vector<analytic::Sinusoid> sinusoids(const StickSum& sum, const data::HarmonicExcitation& excitation,
+                                          StickReading reading) {
+  constexpr double off_resonance = 1e-8;
+  const double omega = angular_frequency(excitation), amplitude = excitation.amplitude();
+  std::vector<analytic::Sinusoid> terms{{amplitude * driven_part(sum, reading, omega), omega}};
+  for (const StickSum::Mode& mode : sum.modes) {
+    double w = mode.oscillator_frequency;
+    if (std::abs(w - omega) < off_resonance * omega) w = omega * (1.0 + off_resonance);
+    const double weight = amplitude * weight_of(mode, reading);
+    const double steady = square(omega) * mode.participation / (square(omega) - square(w));
+    terms.front().amplitude += weight * steady;
+    const double free = sum.cosine ? -steady : (mode.initial_rate - steady) * omega / w;
+    if (sum.free_vibrations) terms.push_back({weight * free, w});
+  }
+  return terms;
+}
+
+double value_at(const std::vector<analytic::Sinusoid>& terms, double t) {
+  double value = 0.0;
+  for (const auto& term : terms) value += term.amplitude * std::sin(term.angular_frequency * t);
+  return value;
+}
+
+double max_abs(const std::vector<analytic::Sinusoid>& terms, double duration, double sampling_step) {
+  // Each term a exp(i w t) is advanced to the next sample by one complex multiplication.
+  const auto size = static_cast<Eigen::Index>(terms.size());
+  Eigen::ArrayXd sine = Eigen::ArrayXd::Zero(size), cosine(size), turn_sine(size), turn_cosine(size);
+  for (Eigen::Index i = 0; i < size; ++i) {
+    const auto& term = terms[static_cast<std::size_t>(i)];
+    cosine[i] = term.amplitude;
+    turn_sine[i] = std::sin(term.angular_frequency * sampling_step);
+    turn_cosine[i] = std::cos(term.angular_frequency * sampling_step);
+  }
+  double before = 0.0, here = 0.0, largest = 0.0;
+  Eigen::ArrayXd turned(size);
+  const long samples = std::lround(duration / sampling_step);
+  for (long n = 1; n <= samples; ++n) {
+    turned = sine * turn_cosine + cosine * turn_sine;
+    cosine = cosine * turn_cosine - sine * turn_sine;
+    sine.swap(turned);
+    const double next = sine.sum();
+    const double bend = next - 2.0 * here + before;
+    const bool is_peak = (here - before) * (next - here) < 0.0;
+    if (is_peak) largest = std::max(largest, std::abs(here - square(next - before) / (8.0 * bend)));
+    largest = std::max(largest, std::abs(next));
+    before = here;
+    here = next;
+  }
+  return largest;
+}
+
+std::vector<double> stepped(const StickSum& sum, const ModalScheme& scheme,
+                            const data::HarmonicExcitation& excitation, StickReading reading, long count) {
+  const double omega = angular_frequency(excitation), amplitude = excitation.amplitude();
+  const double h = scheme.step;
+  std::vector<double> history;
+  for (long n = 0; n <= count; ++n)
+    history.push_back(amplitude * driven_part(sum, reading, omega) *
+                      std::sin(omega * (static_cast<double>(n) * h)));
+  for (const StickSum::Mode& mode : sum.modes) {
+    const double w = mode.oscillator_frequency, damping = 2.0 * scheme.damping_ratio * w;
+    const double new_share = 1.0 - scheme.alpha_f;
+    const double inertia =
+        1.0 - scheme.alpha_m + new_share * h * (damping * scheme.gamma + square(w) * scheme.beta * h);
+    double q = 0.0, v = mode.initial_rate * amplitude * omega, a = -damping * v;
+    for (long n = 0; n < count; ++n) {
+      const double load_time = static_cast<double>(n) * h + scheme.load_delay;
+      const double load = -mode.participation * amplitude * square(omega) * std::sin(omega * load_time);
+      const double free_q = q + h * v + h * h * (0.5 - scheme.beta) * a;
+      const double free_v = v + h * (1.0 - scheme.gamma) * a;
+      const double next = (load - scheme.alpha_m * a - damping * (new_share * free_v + scheme.alpha_f * v) -
+                           square(w) * (new_share * free_q + scheme.alpha_f * q)) /
+                          inertia;
+      q = free_q + h * h * scheme.beta * next;
+      v = free_v + h * scheme.gamma * next;
+      a = next;
+      history[static_cast<std::size_t>(n + 1)] += weight_of(mode, reading) * q;
+    }
+  }
+  return history;
+}
+
+}  // namespace stickslip::studies
