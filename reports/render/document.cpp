@@ -17,7 +17,6 @@
 #include "render/temporary_folder.hpp"
 #include "stickslip/data/atomic_file.hpp"
 #include "stickslip/data/case_file.hpp"
-#include "stickslip/data/installation.hpp"
 
 namespace stickslip::report {
 

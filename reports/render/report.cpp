@@ -19,7 +19,6 @@
 #include "render/values.hpp"
 #include "stickslip/data/atomic_file.hpp"
 #include "stickslip/data/case_file.hpp"
-#include "stickslip/data/installation.hpp"
 
 namespace stickslip::report {
 

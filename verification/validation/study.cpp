@@ -9,7 +9,6 @@
 #include "stickslip/data/csv_text.hpp"
 #include "stickslip/data/input_error.hpp"
 #include "stickslip/data/input_text.hpp"
-#include "stickslip/data/sha256.hpp"
 
 namespace stickslip::validation {
 

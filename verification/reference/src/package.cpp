@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "sets.hpp"
-#include "stickslip/data/sha256.hpp"
+#include "stickslip/data/input_text.hpp"
 
 namespace stickslip::reference {
 
