@@ -9,7 +9,6 @@
 
 #include "sets.hpp"
 #include "stickslip/certified/force_maximum.hpp"
-#include "stickslip/certified/slip_modes.hpp"
 #include "stickslip/certified/stick_modes.hpp"
 
 namespace stickslip::reference {

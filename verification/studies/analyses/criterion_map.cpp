@@ -17,7 +17,7 @@
 #include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/damped_reaction.hpp"
 #include "stickslip/analytic/force_maximum.hpp"
-#include "stickslip/analytic/modal_reaction_table.hpp"
+#include "stickslip/analytic/modal_reaction.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "studies/common/parallel.hpp"

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "stickslip/analytic/bounds.hpp"
+#include "stickslip/analytic/force_maximum.hpp"
 #include "stickslip/data/problem.hpp"
 #include "studies/analyses/contact_response.hpp"
 #include "studies/common/members.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "stickslip/analytic/bounds.hpp"
+#include "stickslip/analytic/force_maximum.hpp"
 
 namespace stickslip::studies {
 

@@ -4,8 +4,8 @@
 /// The members of the problem, and of what both implementations return, as studies hand them on.
 
 #include "stickslip/analytic/band_maximum.hpp"
-#include "stickslip/analytic/bounds.hpp"
 #include "stickslip/analytic/event_driven.hpp"
+#include "stickslip/analytic/force_maximum.hpp"
 #include "stickslip/data/paper.hpp"
 #include "stickslip/data/problem.hpp"
 #include "stickslip/solver/energy_balance.hpp"

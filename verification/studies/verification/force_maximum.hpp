@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "stickslip/analytic/bounds.hpp"
+#include "stickslip/analytic/force_maximum.hpp"
 #include "stickslip/data/problem.hpp"
 #include "studies/common/members.hpp"
 
