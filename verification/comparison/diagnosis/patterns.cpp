@@ -13,7 +13,7 @@
 
 #include "comparison/points.hpp"
 #include "stickslip/solver/modal_analysis.hpp"
-#include "studies/common/hertz.hpp"
+#include "studies/common/problem_parameter.hpp"
 
 namespace stickslip::comparison {
 

@@ -17,7 +17,7 @@
 #include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/analytic/damped_steady_state.hpp"
 #include "stickslip/analytic/event_driven.hpp"
-#include "studies/history/runs.hpp"
+#include "studies/history/method.hpp"
 #include "studies/verification/damped_benchmark.hpp"
 #include "studies/verification/finite_element_contact_model.hpp"
 

@@ -12,8 +12,8 @@
 #include "stickslip/analytic/beam_boundary_integral.hpp"
 #include "stickslip/analytic/free_mode_run.hpp"
 #include "stickslip/analytic/slip_modes.hpp"
-#include "studies/history/converged_history.hpp"
-#include "studies/history/runs.hpp"
+#include "studies/history/history_convergence.hpp"
+#include "studies/history/method.hpp"
 
 namespace stickslip::reference {
 

@@ -10,7 +10,7 @@
 #include "studies/common/convergence.hpp"
 #include "studies/common/discretisation.hpp"
 #include "studies/common/problem_parameter.hpp"
-#include "studies/history/runs.hpp"
+#include "studies/history/method.hpp"
 #include "studies/verification/contact_histories.hpp"
 
 namespace stickslip::studies {

@@ -13,7 +13,7 @@
 #include "studies/common/convergence.hpp"
 #include "studies/common/parallel.hpp"
 #include "studies/common/problem_parameter.hpp"
-#include "studies/history/runs.hpp"
+#include "studies/history/method.hpp"
 #include "studies/verification/finite_element_contact_model.hpp"
 
 namespace stickslip::studies {

@@ -7,7 +7,7 @@
 
 #include "stickslip/data/problem.hpp"
 #include "studies/common/members.hpp"
-#include "studies/history/converged_history.hpp"
+#include "studies/history/history_convergence.hpp"
 
 namespace stickslip::studies {
 

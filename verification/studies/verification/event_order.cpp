@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "studies/verification/event_order.hpp"
 
-#include "studies/history/runs.hpp"
+#include "studies/history/method.hpp"
 #include "studies/verification/finite_element_contact_model.hpp"
 
 namespace stickslip::studies {

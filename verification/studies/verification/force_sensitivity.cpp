@@ -14,7 +14,6 @@
 
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
-#include "studies/common/common_digits.hpp"
 #include "studies/common/convergence.hpp"
 #include "studies/common/parallel.hpp"
 #include "studies/verification/printed_forces.hpp"

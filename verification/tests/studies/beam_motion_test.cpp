@@ -8,7 +8,7 @@
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "studies/common/discretisation.hpp"
-#include "studies/history/runs.hpp"
+#include "studies/history/method.hpp"
 #include "support/beams.hpp"
 #include "support/testing.hpp"
 

@@ -3,7 +3,7 @@
 /// from event to event.
 
 #include "stickslip/analytic/beam_contact_model.hpp"
-#include "studies/history/runs.hpp"
+#include "studies/history/method.hpp"
 #include "studies/verification/event_order.hpp"
 #include "support/beams.hpp"
 #include "support/damped_benchmark.hpp"
