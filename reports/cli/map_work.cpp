@@ -13,7 +13,7 @@
 #include "case_options.hpp"
 #include "range_text.hpp"
 #include "render/criterion_map.hpp"
-#include "studies/analyses/map_estimate.hpp"
+#include "studies/analyses/criterion_map.hpp"
 #include "unfinished_map.hpp"
 
 namespace stickslip::cli {

@@ -11,7 +11,7 @@
 #include <numbers>
 #include <set>
 
-#include "comparison/points.hpp"
+#include "comparison/samples.hpp"
 #include "stickslip/solver/modal_analysis.hpp"
 #include "studies/common/problem_parameter.hpp"
 

@@ -16,7 +16,7 @@
 #include "stickslip/solver/beam_simulation.hpp"
 #include "studies/common/convergence.hpp"
 #include "studies/common/parallel.hpp"
-#include "studies/verification/printed_forces.hpp"
+#include "studies/verification/paper_checks.hpp"
 
 namespace stickslip::studies {
 

@@ -21,7 +21,7 @@
 #include "studies/common/problem_parameter.hpp"
 #include "studies/history/method.hpp"
 #include "studies/verification/contact_histories.hpp"
-#include "studies/verification/printed_forces.hpp"
+#include "studies/verification/paper_checks.hpp"
 
 namespace stickslip::studies {
 

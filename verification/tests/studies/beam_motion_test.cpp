@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// The motion of the whole beam by finite elements against the continuous beam (Fig. 3).
 
-#include "studies/verification/beam_motion.hpp"
+#include "studies/verification/contact_histories.hpp"
 
 #include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/analytic/stick_modes.hpp"

@@ -3,7 +3,7 @@
 
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
-#include "studies/analyses/critical_amplitude.hpp"
+#include "studies/analyses/criterion_answer.hpp"
 #include "studies/common/discretisation.hpp"
 #include "studies/verification/classification.hpp"
 #include "studies/verification/contact_histories.hpp"
