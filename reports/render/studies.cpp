@@ -251,7 +251,7 @@ const Study converged_histories("converged_histories", "converged histories", []
 
 const Study usual_practice("usual_practice", "undamped histories as they are usually computed",
                            [](Results& r) {
-                             std::vector<std::vector<studies::PracticeRun>> runs;
+                             std::vector<std::vector<studies::HistoryRun>> runs;
                              for (const auto& history : r(converged_histories))
                                runs.push_back(studies::usual_practice(r.paper, history));
                              return runs;
@@ -651,13 +651,13 @@ FigureData practice(Results& r) {
   for (std::size_t j = 0; j < r(converged_histories).size(); ++j) {
     const auto& converged = r(converged_histories)[j];
     data.values.push_back({fmt::format("hz{}", j + 1), converged.frequency_hz, "Hz"});
-    std::vector<studies::PracticeRun> runs = r(usual_practice)[j];
+    std::vector<studies::HistoryRun> runs = r(usual_practice)[j];
     runs.insert(runs.begin(), {.method = "converged", .tip_displacement = converged.tip});
     for (std::size_t k = 0; k < runs.size(); ++k)
       for (std::size_t n = 0; n < converged.time.size(); ++n) {
         table.add(converged.frequency_hz).add(static_cast<double>(k)).add(CsvText(runs[k].method));
         table.add(runs[k].elements).add(runs[k].time_step).add(runs[k].spectral_radius);
-        table.add(100.0 * runs[k].largest_error).add(converged.time[n]).add(runs[k].tip_displacement[n]);
+        table.add(100.0 * runs[k].error).add(converged.time[n]).add(runs[k].tip_displacement[n]);
         table.end_row();
       }
   }

@@ -24,7 +24,7 @@ namespace {
 struct Run {
   std::vector<double> tip, midspan;
   std::vector<ConvergedStick> sticks;  // of any length, including the first one
-  HistoryLevel level;
+  HistoryRun level;
 };
 
 // The stick phases between the changes of contact. The last one may end with the run.
@@ -43,7 +43,7 @@ data::Case sampled(const data::Case& problem, const ConvergedEffort& effort) {
   return refined(problem, problem.numerics.elements(), effort.duration / effort.samples, effort.duration);
 }
 
-Run run_of(const History& history, HistoryLevel level, const ConvergedEffort& effort) {
+Run run_of(const History& history, HistoryRun level, const ConvergedEffort& effort) {
   Run run{.tip = tip_displacements(history),
           .midspan = {},
           .sticks = sticks_of(history.events, effort.duration),
@@ -65,7 +65,7 @@ Run run_free_modes(const data::Case& problem, const ConvergedEffort& effort, int
   const data::Case at = sampled(problem, effort);
   const double step = at.numerics.time_step() / steps_per_sample;
   return run_of(free_mode_history(at, {.with_midspan = effort.with_midspan}, steps_per_sample),
-                {.method = "free modes", .time_step = step, .modes = free_modes_for(problem.beam, step)},
+                {.method = "free modes", .modes = free_modes_for(problem.beam, step), .time_step = step},
                 effort);
 }
 
@@ -195,7 +195,7 @@ ConvergedHistory converged_history(const data::Case& problem, const ConvergedEff
     if (i > 0 && converged) history.sticks.push_back(*converged);
   }
   for (Run& run : runs) {
-    run.level.difference = largest_difference(run.tip, finest.tip) / history.tip_range;
+    run.level.error = largest_difference(run.tip, finest.tip) / history.tip_range;
     history.levels.push_back(run.level);
   }
   history.tip = finest.tip;
@@ -250,13 +250,14 @@ HistoryRun history_run(const data::Case& problem, const ConvergedHistory& refere
   };
   const History run = history(0.0);
   const solver::ContactMobility mobility(system_of(problem, mesh, 0.0, radiating_share));
-  HistoryRun result{.elements = elements,
+  HistoryRun result{.method = "located in the step",
+                    .elements = elements,
                     .time_step = step,
                     .spectral_radius = spectral_radius,
+                    .changes = static_cast<int>(run.events.size()),
                     .highest_angle = mobility.angular_frequencies().maxCoeff() * step,
                     .growth_bound = growth_bound(stepped_contact(mobility, step, spectral_radius),
-                                                 weakening(problem.friction, problem.beam.axial_force())),
-                    .changes = static_cast<int>(run.events.size())};
+                                                 weakening(problem.friction, problem.beam.axial_force()))};
   result.error = largest_difference(tip_displacements(run), reference.tip) / reference.tip_range;
   if (observe_growth)
     result.observed_growth =

@@ -25,16 +25,26 @@ struct ConvergedStick {
 STICKSLIP_MEMBERS(ConvergedStick, (begin, "s"), (end, "s"), (position, "m"), (begin_half_width, "s"),
                   (end_half_width, "s"), (position_half_width, "m"))
 
-/// One run of the convergence study.
-struct HistoryLevel {
-  std::string method;   ///< "boundary integral" or "free modes"
-  double time_step{};   ///< h, s
-  int modes{};          ///< number of free modes; 0 for the boundary integral
-  int changes{};        ///< number of steps at which the contact changes between stick and slip
-  double difference{};  ///< largest |difference| of y(L) from the finest boundary integral, over its range
+/// A run of an undamped history, compared with a converged one.
+struct HistoryRun {
+  /// The relative change of the amplitude whose effect is observed.
+  static constexpr double perturbation = 1e-9;
+  std::string method{};      ///< such as "free modes" or "located in the step"
+  int elements{};            ///< 0 without a mesh
+  int modes{};               ///< number of free modes; 0 without them
+  double time_step{};        ///< h, s; 0 for event-driven runs
+  double spectral_radius{};  ///< of generalised-alpha
+  int changes{};             ///< of contact; of converged_history() the steps at which there is one
+  double error{};            ///< largest |difference| of y(L) from the converged history, over its range
+  double highest_angle{};    ///< ω_max h, where ω_max is the highest frequency of the mesh
+  double growth_bound{};     ///< σ* of mesh and step, 1/s
+  std::optional<double> observed_growth{};  ///< growth_rate() of a perturbation, 1/s, if asked for
+  std::vector<double> tip_displacement{};  ///< of usual_practice(): y(L) at the times of the converged one, m
 };
-STICKSLIP_MEMBERS(HistoryLevel, (method, "-"), (time_step, "s"), (modes, "1"), (changes, "1"),
-                  (difference, "1"))
+STICKSLIP_MEMBERS(HistoryRun, (perturbation, "1"), (method, "-"), (elements, "1"), (modes, "1"),
+                  (time_step, "s"), (spectral_radius, "1"), (changes, "1"), (error, "1"),
+                  (highest_angle, "1"), (growth_bound, "1/s"), (observed_growth, "1/s"),
+                  (tip_displacement, "m"))
 
 /// A history of the beam with its estimated error. The history is the boundary integral with the finest of
 /// several steps. It is compared with the boundary integral with twice this step, and with the free modes
@@ -54,7 +64,7 @@ struct ConvergedHistory {
   ConvergedStick first_stick;                              ///< from the start to the first slip
   /// Later ones that are at least shortest_stick long and occur in all three runs.
   std::vector<ConvergedStick> sticks;
-  std::vector<HistoryLevel> levels;  ///< finest level first, boundary integral before free modes
+  std::vector<HistoryRun> levels;  ///< finest level first, boundary integral before free modes
 
   /// The largest half-width of y(L) as a fraction of its range.
   [[nodiscard]] double largest_half_width() const;
@@ -79,30 +89,14 @@ struct ConvergedEffort {
 [[nodiscard]] ConvergedHistory converged_history(const data::Case& problem,
                                                  const ConvergedEffort& effort = {});
 
-/// One run in modal coordinates, with located changes and the velocity threshold 0.
-struct HistoryRun {
-  /// The relative change of the amplitude whose effect is observed.
-  static constexpr double perturbation = 1e-9;
-  int elements{};
-  double time_step{};  ///< h, s
-  double spectral_radius{};
-  double highest_angle{};                   ///< ω_max h, where ω_max is the highest frequency of the mesh
-  double growth_bound{};                    ///< σ* of mesh and step, 1/s
-  std::optional<double> observed_growth{};  ///< growth_rate() of a perturbation, 1/s, if asked for
-  double error{};  ///< largest |difference| of y(L) from the converged history, over its range
-  int changes{};   ///< number of changes of contact
-};
-STICKSLIP_MEMBERS(HistoryRun, (perturbation, "1"), (elements, "1"), (time_step, "s"), (spectral_radius, "1"),
-                  (highest_angle, "1"), (growth_bound, "1/s"), (observed_growth, "1/s"), (error, "1"),
-                  (changes, "1"))
-
 /// The rate, 1/s, at which two histories at the same times separate: the slope of the logarithm of the largest
 /// |difference| of y(L) in each whole period (s) from the first event of `a` on, before the first period in which it
 /// exceeds `limit` (m). Nothing if there are fewer than three such periods.
 [[nodiscard]] std::optional<double> growth_rate(const History& a, const History& b, double period,
                                                 double limit);
 
-/// One run with its growth bound and its error. The growth is observed in periods of the load, with a tenth of the range
+/// One run by generalised-alpha with located changes and the velocity threshold 0, with its growth bound and its error. It is in
+/// modal coordinates unless it radiates. The growth is observed in periods of the load, with a tenth of the range
 /// as limit. `time_step` is reduced so that it divides the spacing of the reference. With radiating_share > 0, this
 /// fraction of the element mass ρ A l is attached to the tip by a dashpot of κ (with_radiating_contact()). Throws
 /// what solver::BeamSimulation throws.

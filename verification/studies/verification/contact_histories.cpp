@@ -127,7 +127,7 @@ std::vector<ContactHistory> contact_histories(const data::Case& paper, double sh
   return histories;
 }
 
-std::vector<PracticeRun> usual_practice(data::Case problem, const ConvergedHistory& converged) {
+std::vector<HistoryRun> usual_practice(data::Case problem, const ConvergedHistory& converged) {
   problem.excitation = data::HarmonicExcitation({converged.frequency_hz, converged.amplitude});
   const data::NumericalSettings& numerics = problem.numerics;
   const double duration = converged.time.back(), spacing = converged.time[1];
@@ -145,9 +145,9 @@ std::vector<PracticeRun> usual_practice(data::Case problem, const ConvergedHisto
                              {"located in the step", 0.9, solver::ContactScheme::located, 0.0},
                              {"located in the step", 1.0, solver::ContactScheme::located, 0.0}};
   const int meshes[] = {elements, 2 * elements};  // of the event-driven runs
-  std::vector<PracticeRun> runs(std::size(stepped) + std::size(meshes));
+  std::vector<HistoryRun> runs(std::size(stepped) + std::size(meshes));
   in_parallel(runs.size(), [&](std::size_t i) {
-    PracticeRun& run = runs[i];
+    HistoryRun& run = runs[i];
     History history;
     if (i < std::size(stepped)) {
       const auto& [method, radius, scheme, threshold] = stepped[i];
@@ -167,7 +167,7 @@ std::vector<PracticeRun> usual_practice(data::Case problem, const ConvergedHisto
     }
     run.changes = static_cast<int>(history.events.size());
     run.tip_displacement = tip_displacements(history);
-    run.largest_error = largest_difference(converged.tip, run.tip_displacement) / converged.tip_range;
+    run.error = largest_difference(converged.tip, run.tip_displacement) / converged.tip_range;
   });
   return runs;
 }

@@ -42,24 +42,11 @@ STICKSLIP_MEMBERS(ContactHistory, (frequency_hz, "Hz"), (amplitude, "m"), (conve
 /// The panels of Figs. 4 and 5, in the paper's order, with the case of data/cases/paper.toml.
 [[nodiscard]] std::vector<ContactHistory> contact_histories(const data::Case& paper, double shown);
 
-/// An undamped history with usual settings, compared with the converged one.
-struct PracticeRun {
-  std::string method{};
-  int elements{};
-  double time_step{};        ///< s; 0 for event-driven runs
-  double spectral_radius{};  ///< of generalised-alpha
-  int changes{};             ///< of contact
-  double largest_error{};    ///< of y(L) at the times of the history, as a fraction of its range
-  std::vector<double> tip_displacement{};  ///< y(L) at the times of the history, m
-};
-STICKSLIP_MEMBERS(PracticeRun, (method, "-"), (elements, "1"), (time_step, "s"), (spectral_radius, "1"),
-                  (changes, "1"), (largest_error, "1"), (tip_displacement, "m"))
-
 /// Runs with usual settings, all with the time step of `numerics` where there is one: the scheme of the
 /// paper; located changes with the spectral radii 0.5, 0.9 and 1; and event-driven runs on
 /// numerics.elements() and on twice as many elements. The excitation is that of the converged history; the
 /// problem is undamped.
-[[nodiscard]] std::vector<PracticeRun> usual_practice(data::Case problem, const ConvergedHistory& converged);
+[[nodiscard]] std::vector<HistoryRun> usual_practice(data::Case problem, const ConvergedHistory& converged);
 
 /// The first time (s) at which |f| of the closed form with the exact steady part exceeds the limit; empty if
 /// there is none within the duration. The search uses steps of 1/2000 of the shorter of the periods of the
