@@ -389,7 +389,7 @@ const Study model_variants(
       constexpr int lengths = 17;        // every 10 cm
       constexpr std::size_t stride = 5;  // of the axial forces
       constexpr double rigid = std::numeric_limits<double>::infinity();
-      std::vector<std::vector<studies::VariantPlane>> rows;
+      std::vector<std::vector<studies::ModelPlane>> rows;
       for (const studies::ModelVariant& variant :
            {studies::ModelVariant{10.0, 0.0}, {100.0, 0.0}, {1000.0, 0.0}, {rigid, 0.005}, {rigid, 0.02}})
         rows.push_back(
