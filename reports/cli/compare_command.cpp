@@ -16,7 +16,7 @@
 #include "comparison/diagnosis/diagnosis.hpp"
 #include "comparison_output.hpp"
 #include "exit_status.hpp"
-#include "render/comparison_figure.hpp"
+#include "render/criterion_map.hpp"
 #include "stickslip/data/csv_text.hpp"
 #include "stickslip/data/input_text.hpp"
 
