@@ -336,13 +336,11 @@ studies::Sampling at_samples(const data::Case& problem, const std::function<doub
   return sampling;
 }
 
-Samples event_driven_samples(data::Case problem, int modes) {
-  data::NumericalChoices choices = problem.numerics.choices();
-  choices.modes = modes;
-  problem.numerics = data::NumericalSettings(choices);
+Samples event_driven_samples(const data::Case& problem, int modes) {
   const double rate = per_period * problem.excitation.frequency_hz();
   const studies::History history =
-      studies::event_driven_history(problem, at_samples(problem, [rate](int i) { return i / rate; }));
+      studies::event_driven_history(data::with_value(problem, "numerics.modes", modes),
+                                    at_samples(problem, [rate](int i) { return i / rate; }));
   return samples_of(history, history);
 }
 
