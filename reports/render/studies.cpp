@@ -33,9 +33,11 @@
 #include "studies/verification/manufactured_solution.hpp"
 #include "studies/verification/model_form.hpp"
 #include "studies/verification/paper_checks.hpp"
+#include "studies/verification/proposed_rig.hpp"
 #include "studies/verification/scope.hpp"
 #include "studies/verification/solution_verification.hpp"
 #include "studies/verification/time_order.hpp"
+#include "validation/study.hpp"
 
 // The members of the problem, and of what both implementations return, as studies hand them on.
 
@@ -104,6 +106,14 @@ const Result& Results::operator()(const Study<Result>& study) {
                      json_text(*std::any_cast<Result>(&result)));
   }
   return *std::any_cast<Result>(&result);
+}
+
+CsvTable comparison_table(const std::vector<validation::Comparison>& comparisons) {
+  return study_table(
+      "Measured and predicted: the error of the model lies in E +- 2 u_val", comparisons,
+      "experiment, record, quantity, form, measured as D, measured_uncertainty as u_D, predicted as S, "
+      "input_uncertainty as u_input, numerical_uncertainty as u_num, error as E, uncertainty as u_val, "
+      "is_resolved as resolved, unit");
 }
 
 void Results::run_all() {
@@ -269,6 +279,13 @@ const Study classification("classification", "classification of excitations (Fig
                                  r.paper.beam, r.paper.friction, r.paper.numerics,
                                  studies::figure12_frequencies(), studies::figure12_amplitudes());
                            });
+
+const Study measured("validation", "measurements of others",
+                     [](Results& /*r*/) { return validation::comparisons(); });
+const Study measured_bias("validation_bias", "bias and spread of the models",
+                          [](Results& r) { return validation::biases(r(measured)); });
+const Study rig("rig", "what a rig should measure",
+                [](Results& /*r*/) { return studies::proposed_rig("rig"); });
 
 constexpr double shown_duration = 0.5;  // s
 const Study contact_histories("contact_histories", "stick-slip histories (Figs. 4 and 5)",
@@ -757,6 +774,29 @@ FigureData figure14(Results& r) {
   return data;
 }
 
+FigureData intervals(Results& r) {
+  FigureData data = figure("validation", comparison_table(r(measured)));
+  data.tables.push_back(
+      {"validation-bias",
+       study_table("Mean and standard deviation of E/D over all set points", r(measured_bias),
+                   "experiment, quantity, form, points, resolved, beyond, mean, spread")});
+  return data;
+}
+
+FigureData rig_drawing(Results& r) {
+  const data::Case problem = data::load_case("rig");
+  return figure(
+      "rig",
+      study_table(
+          "First frequency with the tip free, and the accuracy that decides on the direction of the force",
+          r(rig).frequencies, "length, load, following_hz, fixed_hz, accuracy"),
+      {{"beam_length", problem.beam.length(), "m"},
+       {"section_width", data::value_of(problem, "section.width"), "m"},
+       {"section_height", data::value_of(problem, "section.height"), "m"},
+       {"axial_force", problem.beam.axial_force(), "N"},
+       {"static_coefficient", problem.friction.static_coefficient(), "1"}});
+}
+
 FigureData map(Results& r) { return figure_of(stick_case(r), r(stiffness_map)); }
 
 }  // namespace
@@ -783,7 +823,9 @@ const std::vector<Figure>& all_figures() {
                                            {"fig11", figure11},
                                            {"fig13", figure13},
                                            {"fig14", figure14},
-                                           {"map", map}};
+                                           {"map", map},
+                                           {"validation", intervals},
+                                           {"rig", rig_drawing}};
   return figures;
 }
 

@@ -788,6 +788,7 @@ std::vector<Command> commands() {
           {"reference export", {{"NAME", set}, {"--package", fixture}, {"--output", "out.csv"}}},
           {"compare",
            {{"NAME", "damped-history"}, {"FILE", fixture + "/damped/history.csv"}, {"--package", fixture}}},
+          {"validate", {{"--output", "out.csv"}}},
           {"report", {{"--only", "fig2"}, {"--output", "report"}}},
           {"cases", {}}};
 }
