@@ -110,16 +110,18 @@ TEST_F(MeasurementOfACase, HasTheFormOfTheComparisonsOfOthers) {
     return nlohmann::json::parse(outcome.output)["comparisons"][0];
   };
   const auto hz = compared("stick_frequency,1,24.6,0.2", 0);
-  EXPECT_DOUBLE_EQ(hz["u_D"], 0.1);
-  EXPECT_NEAR(hz["predicted"], 24.97196, 1e-5);
-  EXPECT_NEAR(hz["error"], 0.37196, 1e-5);
-  EXPECT_NEAR(hz["u_input"], 0.01 * 24.97, 0.3 * 0.01 * 24.97);
-  EXPECT_NEAR(hz["u_val"], std::hypot(0.1, double(hz["u_input"]), double(hz["u_num"])), 1e-12);
-  EXPECT_EQ(hz["resolved"], double(hz["error"]) >= double(hz["u_val"]));
+  EXPECT_DOUBLE_EQ(hz["u_D"].get<double>(), 0.1);
+  EXPECT_NEAR(hz["S"].get<double>(), 24.97196, 1e-5);
+  EXPECT_NEAR(hz["E"].get<double>(), 0.37196, 1e-5);
+  EXPECT_NEAR(hz["u_input"].get<double>(), 0.01 * 24.97, 0.3 * 0.01 * 24.97);
+  EXPECT_NEAR(hz["u_val"].get<double>(),
+              std::hypot(0.1, hz["u_input"].get<double>(), hz["u_num"].get<double>()), 1e-12);
+  EXPECT_EQ(hz["resolved"], hz["E"].get<double>() >= hz["u_val"].get<double>());
   EXPECT_EQ(compared("slip_frequency,2,10,0.1", 1)["resolved"], true);
   const auto amplitude = compared("critical_amplitude,35,5.9e-4,1e-5", 0);
-  EXPECT_NEAR(amplitude["predicted"], 5.88e-4, 0.02e-4);
-  EXPECT_NEAR(double(amplitude["u_input"]) / double(amplitude["predicted"]), 0.096, 0.02);  // 0.083 by mu_s
+  EXPECT_NEAR(amplitude["S"].get<double>(), 5.88e-4, 0.02e-4);
+  EXPECT_NEAR(amplitude["u_input"].get<double>() / amplitude["S"].get<double>(), 0.096,
+              0.02);  // 0.083 by mu_s
 }
 
 TEST_F(MeasurementOfACase, IsRefusedWithThePlaceThatIsWrong) {
