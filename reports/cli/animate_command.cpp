@@ -18,21 +18,20 @@ constexpr double periods = 10.0;  // unless --duration or --set gives a duration
 
 struct AnimateOptions {
   CaseOptions problem;
-  ExcitationOptions excitation;
   std::string method = "fe";
-  std::optional<double> duration;
   int frames = 200;
   std::string output = "frames";
 };
 
 // With the duration that is drawn.
 data::Case case_of(const AnimateOptions& options) {
-  const data::Case problem = load_case(options.problem, options.excitation, options.duration);
+  const data::Case problem = load_case(options.problem);
   const bool is_set = std::ranges::any_of(overrides_of(options.problem), [](const data::Override& one) {
     return one.key == "excitation.duration" || one.key == "numerics.duration";
   });
-  if (options.duration || is_set) return problem;
-  return load_case(options.problem, options.excitation, periods / problem.excitation.frequency_hz());
+  if (is_set) return problem;
+  return load_case(options.problem,
+                   {override_with("excitation.duration", periods / problem.excitation.frequency_hz(), "")});
 }
 
 Answer animate(const AnimateOptions& options, Outputs& outputs) {
@@ -65,14 +64,13 @@ Answer animate(const AnimateOptions& options, Outputs& outputs) {
 
 void add_options(CLI::App& command, AnimateOptions& options) {
   add_case_options(command, options.problem);
-  add_excitation_options(command, options.excitation);
+  add_excitation_options(command, options.problem);
   command
       .add_option("--method", options.method,
                   "Finite elements with contact, or event by event in the modes of the continuous beam")
       ->check(one_of({"event-driven", "fe"}))
       ->capture_default_str();
-  command.add_option("--duration", options.duration, "Duration, s (else ten periods of the excitation)")
-      ->check(number());
+  add_duration_option(command, options.problem, "else ten periods of the excitation");
   command.add_option("--frames", options.frames, "Number of frames, evenly over the duration")
       ->check(integer_between(2, report::most_frames))
       ->capture_default_str();

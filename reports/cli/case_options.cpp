@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "stickslip/data/input_text.hpp"
+#include "stickslip/data/units.hpp"
 
 namespace stickslip::cli {
 
@@ -45,15 +46,23 @@ CLI::Validator integer_between(long lowest, long highest) {
   return {check, fmt::format("{} ... {}", lowest, highest)};
 }
 
-CLI::Validator number() {
-  return {[](const std::string& text) { return parse<double>(text) ? "" : is_not(text, "a number"); }, ""};
+CLI::Validator number(const std::string& unit) {
+  const auto check = [unit](std::string& text) -> std::string {
+    const auto value = data::quantity_in(text, unit);
+    if (!value) return is_not(text, data::quantity_allowed(text, unit));
+    text = data::shortest_text(*value);
+    return "";
+  };
+  return {check, ""};
 }
 
 CLI::Validator time() {
-  const auto check = [](const std::string& text) -> std::string {
-    const auto value = parse<double>(text);
-    if (value && std::isfinite(*value) && *value >= 0.0) return "";
-    return is_not(text, "a finite number of 0 or more (s)");
+  const auto check = [](std::string& text) -> std::string {
+    const auto value = data::quantity_in(text, "s");
+    if (!value || !std::isfinite(*value) || *value < 0.0)
+      return is_not(text, "a finite number of 0 or more (s)");
+    text = data::shortest_text(*value);
+    return "";
   };
   return {check, ""};
 }
@@ -70,43 +79,46 @@ CLI::Validator file_name() {
   return {[](const std::string& text) { return text.empty() ? is_not(text, "the name of a file") : ""; }, ""};
 }
 
-void add_excitation_options(CLI::App& command, ExcitationOptions& options) {
-  command.add_option("--hz", options.frequency_hz, "Excitation frequency, Hz (else that of the case)")
-      ->check(number());
-  command.add_option("--amplitude", options.amplitude, "Excitation amplitude, m (else that of the case)")
-      ->check(number());
+CLI::Option* add_key_option(CLI::App& command, CaseOptions& options, const std::string& name,
+                            const std::string& key, const std::string& help) {
+  const auto take = [&options, key, name](const std::string& text) {
+    options.keys.push_back({key, text, name});
+  };
+  return command.add_option_function<std::string>(name, take, help)->type_name("NUMBER[UNIT]");
 }
 
-std::vector<data::Override> overrides_of(const CaseOptions& options, const ExcitationOptions& excitation) {
+void add_excitation_options(CLI::App& command, CaseOptions& options) {
+  add_key_option(command, options, "--hz", "excitation.frequency_hz",
+                 "Excitation frequency, Hz (else that of the case)");
+  add_key_option(command, options, "--amplitude", "excitation.amplitude",
+                 "Excitation amplitude, m or with its unit, as 0.2mm (else that of the case)");
+}
+
+void add_duration_option(CLI::App& command, CaseOptions& options, const std::string& otherwise) {
+  add_key_option(command, options, "--duration", "excitation.duration", "Duration, s (" + otherwise + ")");
+}
+
+std::vector<data::Override> overrides_of(const CaseOptions& options) {
   std::vector<data::Override> overrides;
   for (const auto& text : options.overrides) overrides.push_back(data::Override::parse(text));
-  if (excitation.frequency_hz)
-    overrides.push_back(override_with("excitation.frequency_hz", *excitation.frequency_hz, "--hz"));
-  if (excitation.amplitude)
-    overrides.push_back(override_with("excitation.amplitude", *excitation.amplitude, "--amplitude"));
+  overrides.insert(overrides.end(), options.keys.begin(), options.keys.end());
   return overrides;
 }
 
-data::Case load_case(const CaseOptions& options, const ExcitationOptions& excitation,
-                     const std::optional<double>& duration) {
-  auto overrides = overrides_of(options, excitation);
-  if (duration) overrides.push_back(override_with("excitation.duration", *duration, "--duration"));
+data::Case load_case(const CaseOptions& options, const std::vector<data::Override>& more) {
+  auto overrides = overrides_of(options);
+  overrides.insert(overrides.end(), more.begin(), more.end());
   return data::load_case(options.name, overrides);
 }
 
-data::NumericalSettings numerics_up_to(double frequency_hz, const CaseOptions& options,
-                                       ExcitationOptions excitation, const std::optional<double>& duration) {
-  excitation.frequency_hz = frequency_hz;
-  return load_case(options, excitation, duration).numerics;
+data::NumericalSettings numerics_up_to(double frequency_hz, const CaseOptions& options) {
+  return load_case(options, {override_with("excitation.frequency_hz", frequency_hz, "")}).numerics;
 }
 
-void require_no_fixed_value(const ExcitationOptions& excitation, std::string_view varied,
-                            std::string_view option) {
-  const auto require_none = [&](const std::optional<double>& value, std::string_view fixed) {
-    if (value) throw data::InputError(fmt::format("{} is given, but {} varies {}", fixed, option, varied));
-  };
-  if (varied == "excitation.frequency_hz") require_none(excitation.frequency_hz, "--hz");
-  if (varied == "excitation.amplitude") require_none(excitation.amplitude, "--amplitude");
+void require_no_fixed_value(const CaseOptions& options, std::string_view varied, std::string_view option) {
+  for (const data::Override& fixed : options.keys)
+    if (fixed.key == varied)
+      throw data::InputError(fmt::format("{} is given, but {} varies {}", fixed.place, option, varied));
 }
 
 data::Override override_with(const std::string& key, double value, const std::string& option) {

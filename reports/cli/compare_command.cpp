@@ -202,7 +202,7 @@ void add_options(CLI::App& command, CompareOptions& options) {
       ->type_name("[QUANTITY=]NUMBER")
       ->allow_extra_args(false);
   command.add_option("--until", options.until, "Compare nothing later, s; a run of yours must reach it")
-      ->check(time());
+      ->transform(time());
   command.add_option("--json", options.json, "JSON file with all numbers, '-' for standard output")
       ->check(file_name());
   command.add_option("--junit", options.junit, "XML file in JUnit's format, '-' for standard output")

@@ -17,7 +17,6 @@ namespace {
 
 struct CriterionOptions {
   CaseOptions problem;
-  ExcitationOptions excitation;
   std::string figure;
 };
 
@@ -121,7 +120,7 @@ std::string drawing(const data::Case& problem, const report::Look& look) {
 }
 
 Answer criterion(const CriterionOptions& options, Outputs& outputs) {
-  const data::Case problem = load_case(options.problem, options.excitation, std::nullopt);
+  const data::Case problem = load_case(options.problem);
   data::require_rigid(problem.contact, "the criterion, whose tip is held; respond takes it");
   analytic::require_contact(problem.beam);
   studies::require_feasible(problem, studies::Inquiry::criterion);
@@ -135,7 +134,7 @@ Answer criterion(const CriterionOptions& options, Outputs& outputs) {
 
 void add_options(CLI::App& command, CriterionOptions& options) {
   add_case_options(command, options.problem);
-  add_excitation_options(command, options.excitation);
+  add_excitation_options(command, options.problem);
   add_figure_option(command, options.figure);
 }
 

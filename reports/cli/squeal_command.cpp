@@ -24,7 +24,6 @@ namespace {
 
 struct SquealOptions {
   CaseOptions problem{.name = "reed"};
-  std::optional<double> speed;
   int modes = 5;
   int settle = 200;
   std::string map, speeds, ratios, figure;
@@ -110,8 +109,9 @@ Answer answer_of(const data::Case& problem, const studies::Squeal& squeal, const
   return answer;
 }
 
-std::vector<double> values_of(const std::string& option, const std::string& text, int count) {
-  const studies::ParameterRange range = parse_range(option, text);
+std::vector<double> values_of(const std::string& option, const std::string& key, const std::string& text,
+                              int count) {
+  const studies::ParameterRange range = parse_range(option, key, text);
   std::vector<double> values;
   for (int i = 0; i < count; ++i)
     values.push_back(std::lerp(range.from, range.to, static_cast<double>(i) / (count - 1)));
@@ -144,18 +144,14 @@ std::string map_text(const data::Case& problem, const std::vector<double>& speed
 Answer steady_sliding(const SquealOptions& options, Outputs& outputs) {
   if (options.map.empty() && !options.figure.empty())
     throw data::InputError("--figure draws the map, but --map FILE is missing");
-  auto overrides = overrides_of(options.problem);
-  if (options.speed) overrides.push_back(override_with("wall.speed", *options.speed, "--speed"));
-  const data::Case problem = data::load_case(options.problem.name, overrides);
+  const data::Case problem = load_case(options.problem);
   data::require_rigid(problem.contact, "squeal; respond takes it");
   require_modes(problem, options.modes);
   const studies::Squeal squeal = studies::squeal_of(problem, options.modes);
   std::vector<double> speeds, ratios;
   if (!options.map.empty()) {
-    speeds = values_of("--speeds", options.speeds, options.count);
-    ratios = values_of("--ratios", options.ratios, options.count);
-    for (const double end : {speeds.front(), speeds.back()})
-      data::require_magnitude("wall.speed", end, "--speeds");
+    speeds = values_of("--speeds", "wall.speed", options.speeds, options.count);
+    ratios = values_of("--ratios", "damping.ratio", options.ratios, options.count);
     (void)data::Damping({.kelvin_voigt = problem.damping.kelvin_voigt(), .ratio = ratios.back()});
   }
   outputs.open({{"--map", options.map}, {"--figure", options.figure}});
@@ -175,8 +171,8 @@ Answer steady_sliding(const SquealOptions& options, Outputs& outputs) {
 
 void add_options(CLI::App& command, SquealOptions& options) {
   add_case_options(command, options.problem);
-  command.add_option("--speed", options.speed, "Speed of the wall, m/s (else that of the case)")
-      ->check(number());
+  add_key_option(command, options.problem, "--speed", "wall.speed",
+                 "Speed of the wall, m/s (else that of the case)");
   command.add_option("--modes", options.modes, "Number of modes to print")
       ->check(integer_between(1, 50))
       ->capture_default_str();

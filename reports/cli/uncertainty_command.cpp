@@ -17,7 +17,6 @@ namespace {
 
 struct UncertaintyOptions {
   CaseOptions problem{.name = "uncertain"};
-  ExcitationOptions excitation;
   std::optional<std::string> band;
   studies::SlipSampling sampling;
 };
@@ -27,6 +26,11 @@ constexpr int digits = 4;
 std::string with_interval(const studies::Estimate& estimate, int decimals) {
   return fmt::format("{0:.{3}f} ({1:.{3}f} ... {2:.{3}f})", estimate.value, estimate.lower, estimate.upper,
                      decimals);
+}
+
+std::string band_text(const std::optional<analytic::FrequencyBand>& band) {
+  return band ? fmt::format("{} to {}", data::shortest_text(band->from_hz), data::shortest_text(band->to_hz))
+              : "";
 }
 
 // null for an end that too few samples leave open.
@@ -49,8 +53,8 @@ void add_samples(Answer& answer, const data::Case& problem, const UncertaintyOpt
   else
     answer.add_members({{"frequency_hz", problem.excitation.frequency_hz()}});
   answer.add_line(fmt::format("{}, N = {}; {} samples, seed {}\n",
-                              conditions_of(problem, options.band.value_or("")), problem.numerics.modes(),
-                              options.sampling.samples, options.sampling.seed));
+                              conditions_of(problem, band_text(options.sampling.band)),
+                              problem.numerics.modes(), options.sampling.samples, options.sampling.seed));
   answer.add_row("probability of slip",
                  {fmt::format("{}: {} of {}", with_interval(result.probability_of_slip, 5), result.slips,
                               result.valid)});
@@ -158,7 +162,7 @@ Answer answer_of(const data::Case& problem, const UncertaintyOptions& options,
 
 Answer slip_probability(const UncertaintyOptions& given, Outputs& outputs) {
   UncertaintyOptions options = given;
-  const auto overrides = overrides_of(options.problem, options.excitation);
+  const auto overrides = overrides_of(options.problem);
   const auto file = data::find_case(options.problem.name);
   data::Case problem = data::read_case(file, overrides);
   data::require_rigid(problem.contact, "the probability of slip, whose tip is held; respond takes it");
@@ -168,9 +172,7 @@ Answer slip_probability(const UncertaintyOptions& given, Outputs& outputs) {
   if (options.band) {
     const auto band = parse_band("--band", *options.band);
     options.sampling.band = analytic::FrequencyBand{band.from, band.to};
-    for (const double end : {band.from, band.to})
-      data::require_magnitude("excitation.frequency_hz", end, "--band");
-    problem.numerics = numerics_up_to(band.to, options.problem, options.excitation, std::nullopt);
+    problem.numerics = numerics_up_to(band.to, options.problem);
     problem.excitation =
         data::HarmonicExcitation({.frequency_hz = band.to, .amplitude = problem.excitation.amplitude()});
   }
@@ -186,7 +188,7 @@ Answer slip_probability(const UncertaintyOptions& given, Outputs& outputs) {
 
 void add_options(CLI::App& command, UncertaintyOptions& options) {
   add_case_options(command, options.problem);
-  add_excitation_options(command, options.excitation);
+  add_excitation_options(command, options.problem);
   command
       .add_option(
           "--band", options.band,

@@ -34,7 +34,14 @@ constexpr Refusal refusals[] = {
     {"modes --count 2.5", "--count is 2.5, but must be an integer"},
     {"modes --set beam.lenght=2", "did you mean beam.length?"},
     {"modes --set beam.axial_force=1e6", "beam.axial_force"},
-    {"criterion --hz fast", "--hz is fast, but must be a number"},
+    {"criterion --hz fast", "--hz: excitation.frequency_hz is fast, but must be a number (Hz) or a text of"},
+    {"criterion --amplitude 1,5mm",
+     "--amplitude: excitation.amplitude is 1,5mm, but must be written with a decimal point: 1.5"},
+    {"criterion --set friction.static_coefficient=0,4",
+     "is 0,4, but must be written with a decimal point: 0.4"},
+    {"criterion --hz 2mm", "excitation.frequency_hz is 2mm, but must be a number (Hz) or a text of"},
+    {"map --x length=60mm:1,5:3", "--x: TO is '1,5', but must be written with a decimal point: 1.5"},
+    {"respond --from 1Hz", "--from is 1Hz, but must be a finite number of 0 or more (s)"},
     {"criterion --hz -3", "excitation.frequency_hz is -3"},
     {"respond --duration nan", "excitation.duration is nan"},
     {"report --output report --tests nowhere", "nowhere, but must hold GoogleTest's XML files"},
@@ -92,6 +99,14 @@ constexpr Refusal refusals[] = {
     {"map paper --output a.png --figure a.png", "--figure is a.png, but must be another file than --output"},
     {"compare stick-frequencies - --json a --junit a", "--junit is a, but must be another file than --json"},
 };
+
+STICKSLIP_VERIFIES(CommandLine, "U1");
+TEST_F(CommandLine, TakesUnitsWhereverItTakesANumberOfACase) {
+  for (const auto& [with_units, without] : std::initializer_list<std::pair<std::string, std::string>>{
+           {"criterion --hz '1500 rad/min' --amplitude 0.2mm", "criterion --hz 25 --amplitude 2e-4"}}) {
+    EXPECT_EQ(run(with_units).output, run(without).output) << with_units;
+  }
+}
 
 STICKSLIP_VERIFIES(CommandLine, "U1");
 TEST_F(CommandLine, RefusesWhatItCannotUseInOneSentence) {
