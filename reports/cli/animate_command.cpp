@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <optional>
 #include <string>
 
@@ -25,18 +24,16 @@ struct AnimateOptions {
 
 // With the duration that is drawn.
 data::Case case_of(const AnimateOptions& options) {
-  const data::Case problem = load_case(options.problem);
-  const bool is_set = std::ranges::any_of(overrides_of(options.problem), [](const data::Override& one) {
-    return one.key == "excitation.duration" || one.key == "numerics.duration";
-  });
-  if (is_set) return problem;
-  return load_case(options.problem,
-                   {override_with("excitation.duration", periods / problem.excitation.frequency_hz(), "")});
+  const double hz = load_case(options.problem).excitation.frequency_hz();
+  auto overrides = overrides_of(options.problem);
+  overrides.insert(overrides.begin(), override_with("excitation.duration", periods / hz, ""));
+  return data::load_case(options.problem.name, overrides);
 }
 
 Answer animate(const AnimateOptions& options, Outputs& outputs) {
   const data::Case problem = case_of(options);
   data::require_rigid(problem.contact, "the command animate; respond takes it");
+  outputs.about(problem);
   const double duration = problem.numerics.duration();
   if (options.frames - 1 > duration / problem.numerics.time_step() * (1.0 + 1e-12))
     throw data::FieldError(
@@ -51,8 +48,7 @@ Answer animate(const AnimateOptions& options, Outputs& outputs) {
       {.method = &method, .frames = options.frames, .output = options.output, .quiet = outputs.is_quiet()});
   Answer answer;
   answer.add_line(fmt::format("{} frames written to {}", options.frames, options.output));
-  answer.add_members({{"case", problem.name},
-                      {"method", options.method},
+  answer.add_members({{"method", options.method},
                       {"frequency_hz", problem.excitation.frequency_hz()},
                       {"amplitude_m", problem.excitation.amplitude()},
                       {"duration_s", duration},

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/data/input_text.hpp"
 #include "stickslip/data/units.hpp"
 
@@ -26,6 +27,11 @@ void add_case_options(CLI::App& command, CaseOptions& options) {
       ->capture_default_str();
   add_set_option(command, options.overrides, "Replace a key of the case, as in beam.length=1.8; repeatable");
   add_json_option(command);
+  command
+      .add_option_function<int>(
+          "--digits", [](const int& digits) { set_most_digits(digits); },
+          "Significant digits in the text at most (default: 6; --json has all of them)")
+      ->check(integer_between(1, 17));
 }
 
 namespace {
@@ -46,9 +52,11 @@ CLI::Validator integer_between(long lowest, long highest) {
   return {check, fmt::format("{} ... {}", lowest, highest)};
 }
 
-CLI::Validator number(const std::string& unit) {
-  const auto check = [unit](std::string& text) -> std::string {
+CLI::Validator number(const std::string& unit, bool is_time) {
+  const auto check = [unit, is_time](std::string& text) -> std::string {
     const auto value = data::quantity_in(text, unit);
+    if (is_time && (!value || !std::isfinite(*value) || *value < 0.0))
+      return is_not(text, "a finite number of 0 or more (s)");
     if (!value) return is_not(text, data::quantity_allowed(text, unit));
     text = data::shortest_text(*value);
     return "";
@@ -56,16 +64,7 @@ CLI::Validator number(const std::string& unit) {
   return {check, ""};
 }
 
-CLI::Validator time() {
-  const auto check = [](std::string& text) -> std::string {
-    const auto value = data::quantity_in(text, "s");
-    if (!value || !std::isfinite(*value) || *value < 0.0)
-      return is_not(text, "a finite number of 0 or more (s)");
-    text = data::shortest_text(*value);
-    return "";
-  };
-  return {check, ""};
-}
+CLI::Validator time() { return number("s", true); }
 
 CLI::Validator one_of(const std::vector<std::string>& names) {
   const auto check = [names](const std::string& text) -> std::string {
@@ -140,21 +139,60 @@ Json change_json(const std::optional<studies::Change>& change) {
   return {{"key", change->key}, {"factor", change->factor}, {"margin", change->margin}};
 }
 
-std::string conditions_of(const data::Case& problem, const std::string& hz) {
-  return fmt::format("{}: {} Hz, {} m, 0 to {} s", problem.name,
-                     hz.empty() ? data::shortest_text(problem.excitation.frequency_hz()) : hz,
-                     data::shortest_text(problem.excitation.amplitude()),
-                     data::shortest_text(problem.numerics.duration()));
+namespace {
+
+// Millimetres below a metre.
+std::string length_text(double metres) {
+  return metres < 1.0 ? fmt::format("{:.4g} mm", 1e3 * metres) : fmt::format("{:.4g} m", metres);
 }
 
-Json numerics_json(const data::Case& problem) {
-  Json settings;
-  for (const data::Key& key : data::case_keys()) {
-    if (key.table() != "numerics" || key.presence == data::Presence::shorthand) continue;
-    const double value = data::value_of(problem, key.path);
-    settings[std::string(key.name())] = key.member.is_integer ? Json(static_cast<int>(value)) : Json(value);
-  }
-  return settings;
+std::string section_text(const data::Case& problem) {
+  const data::Section& section = problem.section;
+  if (!section.is_given())
+    return fmt::format(", A = {:.5g} mm^2, I = {:.5g} mm^4", 1e6 * problem.beam.area(),
+                       1e12 * problem.beam.second_moment_of_area());
+  if (std::isnan(section.diameter))
+    return fmt::format(" x {} x {}", length_text(section.width), length_text(section.height));
+  return fmt::format(
+      ", diameter {}{}", length_text(section.diameter),
+      std::isnan(section.wall_thickness) ? "" : ", wall " + length_text(section.wall_thickness));
+}
+
+// The material with these numbers or, without one, the numbers.
+std::string material_text(const data::Beam& beam) {
+  for (const data::Material& material : data::list_materials())
+    if (material.density == beam.density() && material.youngs_modulus == beam.youngs_modulus())
+      return material.name;
+  return fmt::format("E = {:.4g} GPa, rho = {:.4g} kg/m^3", 1e-9 * beam.youngs_modulus(), beam.density());
+}
+
+}  // namespace
+
+std::string beam_line(const data::Case& problem) {
+  const data::Beam& beam = problem.beam;
+  const double share = 100.0 * beam.axial_force() / analytic::stick_buckling_load(beam);
+  return fmt::format("{}: {}{}, {}, P = {:.6g} N ({}), mu {:.4g}/{:.4g}\n", problem.name,
+                     length_text(beam.length()), section_text(problem), material_text(beam),
+                     beam.axial_force(), share < 0.0 ? "tension" : fmt::format("{:.3g} % of buckling", share),
+                     problem.friction.static_coefficient(), problem.friction.kinetic_coefficient());
+}
+
+std::string conditions_of(const data::Case& problem, const std::optional<analytic::FrequencyBand>& band) {
+  const auto text = data::shortest_text;
+  return fmt::format(
+      "{} Hz, {} m, 0 to {} s",
+      band ? text(band->from_hz) + " to " + text(band->to_hz) : text(problem.excitation.frequency_hz()),
+      text(problem.excitation.amplitude()), text(problem.numerics.duration()));
+}
+
+Json problem_json(const data::Case& problem) {
+  Json tables;
+  const auto numbers = data::numbers_of(problem);
+  for (const data::Key& key : data::case_keys())
+    if (const auto found = numbers.find(std::string(key.path)); found != numbers.end())
+      tables[std::string(key.table())][std::string(key.name())] =
+          key.member.is_integer ? Json(static_cast<int>(found->second)) : finite_json(found->second);
+  return tables;
 }
 
 }  // namespace stickslip::cli

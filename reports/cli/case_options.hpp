@@ -15,6 +15,7 @@
 
 #include "answer.hpp"
 #include "command.hpp"
+#include "stickslip/analytic/band_maximum.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "studies/analyses/criterion_answer.hpp"
 #include "studies/analyses/problem_warnings.hpp"
@@ -54,7 +55,7 @@ template <class Number>
 /// of a file: so that an error message says what is allowed. number() and time() take a unit as a case file does, and
 /// as a transform of the option hand on the number in SI units.
 [[nodiscard]] CLI::Validator integer_between(long lowest, long highest);
-[[nodiscard]] CLI::Validator number(const std::string& unit = "");
+[[nodiscard]] CLI::Validator number(const std::string& unit = "", bool is_time = false);
 [[nodiscard]] CLI::Validator time();
 [[nodiscard]] CLI::Validator one_of(const std::vector<std::string>& names);
 [[nodiscard]] CLI::Validator file_name();
@@ -83,10 +84,14 @@ void require_no_fixed_value(const CaseOptions& options, std::string_view varied,
 /// The members of a change of a key, or null.
 [[nodiscard]] Json change_json(const std::optional<studies::Change>& change);
 
-/// "NAME: 30 Hz, 0.001 m, 0 to 2 s", with another text for the frequency if it is given.
-[[nodiscard]] std::string conditions_of(const data::Case& problem, const std::string& hz = "");
+/// The line "NAME: 80 mm x 10 mm x 2 mm, abs, P = 5 N (12 % of buckling), mu 0.4/0.3": what the program has understood.
+[[nodiscard]] std::string beam_line(const data::Case& problem);
 
-/// The settings that the case states or default_numerics() has chosen, by their keys.
-[[nodiscard]] Json numerics_json(const data::Case& problem);
+/// "30 Hz, 0.001 m, 0 to 2 s", or with the frequencies of a band.
+[[nodiscard]] std::string conditions_of(const data::Case& problem,
+                                        const std::optional<analytic::FrequencyBand>& band = {});
+
+/// All numbers of the case in SI units, those of default_numerics() among them, by tables and keys; null for one that is infinite.
+[[nodiscard]] Json problem_json(const data::Case& problem);
 
 }  // namespace stickslip::cli

@@ -7,7 +7,6 @@
 #include <functional>
 #include <optional>
 #include <string>
-#include <tuple>
 
 #include "case_options.hpp"
 #include "command.hpp"
@@ -46,16 +45,9 @@ struct Ranges {
 };
 
 Ranges ranges_of(const data::Case& problem, const DesignOptions& options) {
-  const Ranges ranges{parse_band("--band", options.band),
-                      range_of(problem, "beam.length", "--length", options.length, 0.5, 2.0),
-                      range_of(problem, "beam.axial_force", "--force", options.force, 0.1, 10.0)};
-  for (const auto& [range, key, option] : {std::tuple(ranges.band, "excitation.frequency_hz", "--band"),
-                                           std::tuple(ranges.lengths, "beam.length", "--length"),
-                                           std::tuple(ranges.forces, "beam.axial_force", "--force")})
-    for (const double end : {range.from, range.to})
-      (void)load_case(options.problem,
-                      {override_with(key, end, option)});  // throws for what --set would refuse
-  return ranges;
+  return {parse_range("--band", "excitation.frequency_hz", options.band, true),
+          range_of(problem, "beam.length", "--length", options.length, 0.5, 2.0),
+          range_of(problem, "beam.axial_force", "--force", options.force, 0.1, 10.0)};
 }
 
 // The case at the highest frequency of the band and that length.
@@ -108,14 +100,12 @@ Value resonances_of(const std::vector<studies::Resonance>& resonances) {
 Answer answer_of(const data::Case& problem, const studies::Design& design) {
   const auto& [force, limit, margin_bounds, worst_hz, evaluations, resonances, steady_margin] = design.margin;
   Answer answer(34);
-  answer.add_members({{"case", problem.name},
-                      {"band_hz", {design.band.from_hz, design.band.to_hz}},
+  answer.add_members({{"band_hz", {design.band.from_hz, design.band.to_hz}},
                       {"amplitude_m", problem.excitation.amplitude()},
                       {"duration_s", problem.numerics.duration()},
                       {"modes", problem.numerics.modes()}});
-  const std::string band = fmt::format("{} to {}", data::shortest_text(design.band.from_hz),
-                                       data::shortest_text(design.band.to_hz));
-  answer.add_line(fmt::format("{}, N = {}\n", conditions_of(problem, band), problem.numerics.modes()));
+  answer.add_line(
+      fmt::format("{}, {} modes\n", conditions_of(problem, design.band), problem.numerics.modes()));
   const auto judged = [](const analytic::Bounds& bounds) {
     Value margin = between(bounds);
     margin.text += bounds.lower < 1.0 ? ": slips" : ": sticks";  // on the safe side
@@ -147,6 +137,7 @@ Answer design(const DesignOptions& options, Outputs& outputs) {
   problem.numerics = numerics_up_to(ranges.band.to, options.problem);
   for (const double length : {problem.beam.length(), ranges.lengths.from})
     studies::require_feasible(at_the_end_of(problem, ranges.band, length), studies::Inquiry::design);
+  outputs.about(problem);
   outputs.open({});
   report::Progress& progress = outputs.progress();
   Answer answer =

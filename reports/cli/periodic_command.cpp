@@ -66,13 +66,11 @@ Answer periodic_motion(const PeriodicOptions& options, Outputs& outputs) {
     throw data::FieldError("--periods", options.periods, "1 where excitation.amplitude is 0: the base rests");
   const auto inquiry = studies::Inquiry::event_driven_history;
   studies::require_feasible(problem, inquiry);
+  outputs.about(problem);
   outputs.open({});
   outputs.progress().stage("following the motion until it settles");
   Answer answer(34);
-  answer.add_members({{"case", problem.name}});
-  answer.text = problem.name + ": ";
   add_cycle(answer, studies::cycle_of(problem, options.periods, options.settle));
-  answer.add_members({{"numerics", numerics_json(problem)}});
   answer.warnings = warnings_of(problem, inquiry);
   return answer;
 }

@@ -45,12 +45,6 @@ ParameterRange range_of(std::string_view option, const data::Key& key, std::stri
   return {lower, upper};
 }
 
-ParameterRange from_to(std::string_view option, std::string_view key, std::string_view text, bool equal) {
-  const auto parts = split(text, ':');
-  if (parts.size() != 2) fail_unless("FROM:TO", option, "the range", text);
-  return range_of(option, data::key_named(key), parts[0], parts[1], false, equal);
-}
-
 const data::Key& axis_named(std::string_view option, std::string_view name) {
   std::vector<std::string> names;
   for (const data::Key& key : data::case_keys()) {
@@ -74,12 +68,10 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
   return parts;
 }
 
-ParameterRange parse_range(std::string_view option, std::string_view key, std::string_view text) {
-  return from_to(option, key, text, false);
-}
-
-ParameterRange parse_band(std::string_view option, std::string_view text) {
-  return from_to(option, "excitation.frequency_hz", text, true);
+ParameterRange parse_range(std::string_view option, std::string_view key, std::string_view text, bool equal) {
+  const auto parts = split(text, ':');
+  if (parts.size() != 2) fail_unless("FROM:TO", option, "the range", text);
+  return range_of(option, data::key_named(key), parts[0], parts[1], false, equal);
 }
 
 std::string axis_text(const studies::MapAxis& axis) {
@@ -108,8 +100,6 @@ studies::MapAxis parse_axis(std::string_view option, std::string_view text) {
   const data::Key& key = axis_named(option, text.substr(0, equals));
   const bool zero = key.axis.may_be_zero && !logarithmic;
   const ParameterRange range = range_of(option, key, parts[0], parts[1], zero, false);
-  if (logarithmic && !std::isfinite(range.to / range.from))
-    fail_unless(fmt::format("at most 1e308 times FROM, {}", parts[0]), option, "TO", parts[1]);
   const auto count = parse<int>(parts[2]);
   if (!count || *count < 2 || *count > most_values)
     fail_unless(fmt::format("an integer from 2 to {}", most_values), option, "COUNT", parts[2]);

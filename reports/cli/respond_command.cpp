@@ -26,10 +26,7 @@ struct RespondOptions {
 Answer answer_of(const data::Case& problem, const RespondOptions& options, const studies::History& history,
                  const HistoryOutput& output) {
   Answer answer;
-  answer.add_members({{"program", program()},
-                      {"command", command_line()},
-                      {"case", problem.name},
-                      {"method", options.method},
+  answer.add_members({{"method", options.method},
                       {"frequency_hz", problem.excitation.frequency_hz()},
                       {"amplitude_m", problem.excitation.amplitude()},
                       {"duration_s", problem.numerics.duration()},
@@ -44,7 +41,6 @@ Answer answer_of(const data::Case& problem, const RespondOptions& options, const
     answer.add_members({{"integration_step_s", studies::boundary_integral_step(problem)},
                         {"largest_change_on_twice_the_step_m", optional_json(history.step_effect)}});
   if (options.method == "fe") answer.add_members({{"scheme", options.scheme.value_or("located")}});
-  answer.add_members({{"numerics", numerics_json(problem)}});
   answer.add_line(
       fmt::format("{} rows written to {}{}", output.rows(), options.history.output,
                   output.row_step() > 1 ? fmt::format(", one in {} time steps", output.row_step()) : ""));
@@ -63,6 +59,7 @@ Answer respond(const RespondOptions& options, Outputs& outputs) {
   if (options.scheme) choices.scheme = studies::contact_schemes().at(*options.scheme);
   if (!options.history.events.empty()) method.require(studies::Feature::slip, "--method", method.name);
   method.require(problem, choices);
+  outputs.about(problem);
   HistoryOutput output(problem, options.history, outputs);
   outputs.on_interrupt([&] {
     return fmt::format("interrupted at {} s of {} s; {}", data::shortest_text(output.time()),

@@ -87,8 +87,7 @@ Answer answer_of(const studies::SweepTask& task, const std::vector<studies::Swee
       "{} points written to {}{}{}", points.size(), options.output,
       has_both ? fmt::format("; hysteresis at {} of {} values", moving, task.values.size()) : "",
       resting > 0 ? fmt::format("; at {} the tip sticks at another place on the way back", resting) : ""));
-  answer.add_members({{"case", task.problem.name},
-                      {"parameter", axis_text({task.parameter, task.values})},
+  answer.add_members({{"parameter", axis_text({task.parameter, task.values})},
                       {"direction", options.direction},
                       {"settle_periods", task.settle},
                       {"periods", task.periods},
@@ -104,6 +103,7 @@ Answer answer_of(const studies::SweepTask& task, const std::vector<studies::Swee
 
 Answer sweep(const SweepOptions& options, Outputs& outputs) {
   const studies::SweepTask task = task_of(options);
+  outputs.about(task.problem);
   outputs.open({{"--output", options.output}, {"--figure", options.figure}});
   report::Progress& progress = outputs.progress();
   const auto points = studies::parameter_sweep(task, [&](double share) { progress(share); });

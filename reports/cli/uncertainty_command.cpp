@@ -28,11 +28,6 @@ std::string with_interval(const studies::Estimate& estimate, int decimals) {
                      decimals);
 }
 
-std::string band_text(const std::optional<analytic::FrequencyBand>& band) {
-  return band ? fmt::format("{} to {}", data::shortest_text(band->from_hz), data::shortest_text(band->to_hz))
-              : "";
-}
-
 // null for an end that too few samples leave open.
 Json to_json(const studies::Estimate& estimate) {
   return {{"value", finite_json(estimate.value)},
@@ -47,14 +42,13 @@ Value margin_of(const std::optional<double>& margin) {
 // What is asked, and how the samples came out.
 void add_samples(Answer& answer, const data::Case& problem, const UncertaintyOptions& options,
                  const studies::SlipUncertainty& result) {
-  answer.add_members({{"case", problem.name}});
   if (const auto& band = options.sampling.band)
     answer.add_members({{"band_hz", {band->from_hz, band->to_hz}}});
   else
     answer.add_members({{"frequency_hz", problem.excitation.frequency_hz()}});
-  answer.add_line(fmt::format("{}, N = {}; {} samples, seed {}\n",
-                              conditions_of(problem, band_text(options.sampling.band)),
-                              problem.numerics.modes(), options.sampling.samples, options.sampling.seed));
+  answer.add_line(fmt::format("{}, {} modes; {} samples, seed {}\n",
+                              conditions_of(problem, options.sampling.band), problem.numerics.modes(),
+                              options.sampling.samples, options.sampling.seed));
   answer.add_row("probability of slip",
                  {fmt::format("{}: {} of {}", with_interval(result.probability_of_slip, 5), result.slips,
                               result.valid)});
@@ -170,7 +164,7 @@ Answer slip_probability(const UncertaintyOptions& given, Outputs& outputs) {
   for (const auto& replacement : overrides) fixed.push_back(replacement.key);
   const data::Uncertainty uncertainty = studies::without(data::read_uncertainty(file), fixed);
   if (options.band) {
-    const auto band = parse_band("--band", *options.band);
+    const auto band = parse_range("--band", "excitation.frequency_hz", *options.band, true);
     options.sampling.band = analytic::FrequencyBand{band.from, band.to};
     problem.numerics = numerics_up_to(band.to, options.problem);
     problem.excitation =
@@ -178,6 +172,7 @@ Answer slip_probability(const UncertaintyOptions& given, Outputs& outputs) {
   }
   const auto inquiry = options.band ? studies::Inquiry::design : studies::Inquiry::criterion;
   studies::require_feasible(problem, inquiry);
+  outputs.about(problem);
   outputs.open({});
   Answer answer = answer_of(
       problem, options,
