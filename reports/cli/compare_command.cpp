@@ -166,7 +166,7 @@ void add_options(CLI::App& command, CompareOptions& options) {
         "Instead of that of the data set, of one quantity or of all; repeatable")
       ->allow_extra_args(false);
   command.add_option("--until", options.until, "Compare nothing later, s; a run of yours must reach it")
-      ->check(time());
+      ->transform(time());
   file("--junit", options.junit, "XML file in JUnit's format, '-' for standard output");
   add_figure_option(command, options.figure);
   add_package_option(command, options.package);

@@ -229,9 +229,9 @@ void parse_ranges(Bytes bytes) {
     require_ascending(axis.values, text);
     if (axis.values.front() == axis.values.back()) throw Violation("an axis with equal ends: " + text);
   });
-  for (const auto parse : {cli::parse_range, cli::parse_band})
+  for (const bool equal : {false, true})
     allow_input_errors([&] {
-      const auto [from, to] = parse("--band", text);
+      const auto [from, to] = cli::parse_range("--band", "excitation.frequency_hz", text, equal);
       require_ascending(std::array{from, to}, text);
     });
 }

@@ -141,7 +141,7 @@ constexpr Exception exceptions[] = {
     {"package key", "resources/*/diagnosis/case", "wrong type", "a case may have that name"},
 
     {"option", "@(stickslip|reference) --help", "!(unknown)", "help is given"},
-    {"option", "* CASE", "missing", "a case of the paper stands for none"},
+    {"option", "* @(CASE|CASES)", "missing", "a case of the paper stands for none"},
     {"option", "@(respond|animate|criterion|map|sweep|periodic) --amplitude", "zero", "nothing moves"},
     {"option", "sweep --settle", "zero", "nothing passes before the section"},
     {"option", "uncertainty --seed", "zero", "any seed will do"},
