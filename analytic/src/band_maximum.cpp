@@ -14,7 +14,8 @@ namespace stickslip::analytic {
 namespace {
 
 constexpr double kTwoPi = 2.0 * std::numbers::pi;
-constexpr double kWidthOfAValue = 1e-9;  // relative, of the bounds of |f_max| at one frequency
+// The bounds of |f_max| at one frequency are narrower than those of the band by this, but not below the least width.
+constexpr double kShareOfWidth = 0.01, kLeastWidth = 1e-9;
 constexpr double kWidthOfADampedValue = 1e-8;
 
 }  // namespace
@@ -51,11 +52,11 @@ void BandMaximum::divide(const FrequencyBand& band, const std::vector<double>& n
   for (std::size_t i = 1; i < marks_.size(); ++i) add(marks_[i - 1], marks_[i]);
 }
 
-BandMaximum::Decided BandMaximum::force_at(double omega) const {
+BandMaximum::Decided BandMaximum::force_at(double omega, double damped_width) const {
   if (!damped_) return {.omega = omega, .force = ForceMaximum(reaction_, omega, duration_)};
   const DampedForce force(*damped_, omega, duration_ * marks_.back() / omega);
   if (part_ == DampedForcePart::start_up)
-    return {.omega = omega, .force = {}, .known = force.refined_to(kWidthOfADampedValue)};
+    return {.omega = omega, .force = {}, .known = force.refined_to(damped_width)};
   return {.omega = omega, .force = {}, .known = {force.steady_amplitude(), force.steady_amplitude()}};
 }
 
@@ -66,8 +67,6 @@ bool BandMaximum::Decided::exceeds(double limit) {
       above ? std::nextafter(limit, std::numeric_limits<double>::infinity()) : limit;
   return above;
 }
-
-Bounds BandMaximum::Decided::refined() const { return force ? force->refined_to(kWidthOfAValue) : known; }
 
 bool BandMaximum::exceeds(double limit) {
   constexpr int most_halvings = 8;
@@ -118,7 +117,7 @@ Bounds BandMaximum::refined_against(double limit, double relative_width) {
          !(now.upper <= limit)) {
     const Interval largest = intervals_.top();
     intervals_.pop();
-    sharpen(largest);
+    sharpen(largest, limit, relative_width);
     now = bounds();
   }
   return now;
@@ -133,7 +132,7 @@ void BandMaximum::add(double from, double to) {
 }
 
 /// Evaluates the ends of an interval or, if they are known, divides it.
-void BandMaximum::sharpen(const Interval& interval) {
+void BandMaximum::sharpen(const Interval& interval, double limit, double relative_width) {
   const double from = interval.from, to = interval.to;
   if (interval.ends_known) {
     const double middle = from + 0.5 * (to - from);
@@ -142,18 +141,34 @@ void BandMaximum::sharpen(const Interval& interval) {
     return;
   }
   const double excess = (to - from) * (to - from) / 8.0 * between(from, to).curvature;
-  const double upper = std::max(upper_value(from), upper_value(to)) + excess;
+  const double upper = std::max(upper_value(from, excess, limit, relative_width),
+                                upper_value(to, excess, limit, relative_width)) +
+                       excess;
   intervals_.push({from, to, true, std::min(interval.upper, upper)});
 }
 
-double BandMaximum::upper_value(double omega) {
-  if (const auto known = values_.find(omega); known != values_.end()) return known->second;
-  const Bounds value = force_at(omega).refined();
+/// Of |f_max| at Ω: sharp, or so low that it closes an interval with that excess; infinite where |f_max| exceeds the
+/// limit.
+double BandMaximum::upper_value(double omega, double excess, double limit, double relative_width) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  constexpr double far_below =
+      0.8;  // of the lower bound: what this leaves to the excess is as good as all of it
+  const double width = std::max(kLeastWidth, kShareOfWidth * relative_width);
+  const double enough =
+      std::max(far_below * lower_, std::max((1.0 + relative_width) * lower_, limit) - excess);
+  const auto known = values_.find(omega);
+  if (known != values_.end() && (known->second.upper <= enough || known->second.width <= width))
+    return known->second.upper;
+  const Decided at = force_at(omega, std::max(kWidthOfADampedValue, width));
+  const Bounds value =
+      at.force ? at.force->refined_to(width, enough, std::isnan(limit) ? infinity : limit) : at.known;
   if (value.lower > lower_) {
     lower_ = value.lower;
     best_omega_ = omega;
   }
-  return values_[omega] = value.upper;
+  if (at.force && value.lower > limit) return infinity;
+  values_[omega] = {value.upper, at.force && value.upper <= enough ? infinity : width};
+  return value.upper;
 }
 
 BandMaximum::Suprema BandMaximum::between(double from, double to) const {

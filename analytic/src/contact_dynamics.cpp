@@ -76,6 +76,12 @@ void require_consistent(const ContactModel& model) {
 ContactDynamics::ContactDynamics(const ContactModel& model) : model_(model) {
   require_consistent(model_);
   free_mass_ = model_.contact_mass - dot(model_.mass_coupling, model_.mass_coupling);
+  if (model_.damping.empty()) return;
+  const std::size_t rows = modes() + 1;
+  column_length_ = (rows + kTogether - 1) / kTogether * kTogether;
+  damping_columns_.resize(rows * column_length_);
+  for (std::size_t n = 0; n < rows; ++n)
+    for (std::size_t k = 0; k < rows; ++k) damping_columns_[k * column_length_ + n] = model_.damping(n, k);
 }
 
 double ContactDynamics::fastest() const {
@@ -117,15 +123,13 @@ double ContactDynamics::accelerate(const KinematicsView& state, double s, double
   }
   if (!model_.damping.empty()) {
     // Four rows at a time, whose sums do not wait for each other; each adds up as a dot product does.
-    constexpr std::size_t together = 4;
-    for (std::size_t n = 0; n <= m; n += together) {
-      const std::size_t rows = std::min(together, m + 1 - n);
-      std::array<const double*, together> row{};
-      std::array<double, together> loss{};
-      for (std::size_t i = 0; i < together; ++i) row[i] = &model_.damping(std::min(n + i, m), 0);
-      for (std::size_t k = 0; k <= m; ++k) {
+    for (std::size_t n = 0; n <= m; n += kTogether) {
+      const std::size_t rows = std::min(kTogether, m + 1 - n);
+      std::array<double, kTogether> loss{};
+      const double* column = &damping_columns_[n];
+      for (std::size_t k = 0; k <= m; ++k, column += column_length_) {
         const double velocity = k < m ? state.rates[k] : state.velocity;
-        for (std::size_t i = 0; i < together; ++i) loss[i] += row[i][k] * velocity;
+        for (std::size_t i = 0; i < kTogether; ++i) loss[i] += column[i] * velocity;
       }
       for (std::size_t i = 0; i < rows; ++i) (n + i < m ? modal[n + i] : contact) -= loss[i];
     }

@@ -17,7 +17,12 @@ constexpr double kMostGridPoints = 1e9;
 // The chord bound of the grid may leave this share of the largest value seen: less makes the grid finer, more
 // leaves more pieces to the search behind it. Measured, flat between 0.1 and 0.3.
 constexpr double kGridExcess = 0.2;
-constexpr std::size_t kBlock = 64;  // grid points that share their sines; a power of 2
+constexpr std::size_t kBlock = 128;  // grid points that share their sines; a power of 2
+// A phase is turned by known angles this many times before it is computed again. Seven turns go before, in tabulate()
+// and from the start of a block.
+constexpr std::size_t kMostTurns = 8;
+constexpr std::size_t kLooks = 24;         // turns of the first look, the most of all
+constexpr double kTurning = 4.0 * kLooks;  // in units of kUnitRoundoff, at 4 a turn
 
 /// A value per grid point of a block.
 using Row = std::array<double, kBlock>;
@@ -101,7 +106,14 @@ double ForceMaximum::beats(double t) const {
   return sum;
 }
 
-Jet ForceMaximum::jet(double t, std::size_t terms) const {
+Jet ForceMaximum::jet(double t) const {
+  std::vector<Phase> phases;
+  phases.reserve(sinusoids_.size());
+  for (const auto& [a, w] : sinusoids_) phases.push_back({std::sin(w * t), std::cos(w * t)});
+  return jet(t, phases.data(), phases.size());
+}
+
+Jet ForceMaximum::jet(double t, const Phase* phases, std::size_t terms) const {
   Jet sum;
   for (const Beat& beat : beats_) {
     const double sigma = beat.mean, delta = beat.detuning;
@@ -113,7 +125,7 @@ Jet ForceMaximum::jet(double t, std::size_t terms) const {
   }
   for (std::size_t n = 0; n < terms; ++n) {
     const auto& [a, w] = sinusoids_[n];
-    const double s = a * std::sin(w * t), c = a * std::cos(w * t);
+    const double s = a * phases[n].sine, c = a * phases[n].cosine;
     sum.value += s;
     sum.slope += w * c;
     sum.curvature -= w * w * s;
@@ -121,7 +133,7 @@ Jet ForceMaximum::jet(double t, std::size_t terms) const {
   return sum;
 }
 
-double ForceMaximum::value(double t) const { return jet(t, sinusoids_.size()).value; }
+double ForceMaximum::value(double t) const { return jet(t).value; }
 
 /// One search. A piece of time whose upper bound does not exceed the larger of `enough_` and
 /// lower (1 + relative width) is done with; a lower bound above `too_much_` ends it.
@@ -129,22 +141,34 @@ class ForceMaximum::Search {
  public:
   Search(const ForceMaximum& force, double relative_width, double enough, double too_much)
       : force_(force), relative_width_(relative_width), enough_(enough), too_much_(too_much) {
-    centres_ = on_a_grid();
-    while (!centres_.empty() && lower_ <= too_much_) halve();
+    for (const auto& [a, w] : force.sinusoids_)
+      turning_ += kUnitRoundoff * kTurning * std::abs(a) * std::min(1.0, w * force.duration_);
+    on_a_grid();
   }
 
   [[nodiscard]] Bounds bounds() const { return {lower_, std::max(lower_, upper_)}; }
 
  private:
+  // The pieces of one half-width r = h/2^(1 + depth).
+  struct Depth {
+    double radius{}, excess{}, uncertainty{};
+    std::size_t terms{};
+    std::vector<Phase> half_radius;  // of w_n r/2
+  };
+
   [[nodiscard]] const Truncation& truncation(std::size_t terms) const {
     return force_.truncations_[terms - 1];
   }
 
   void see(double value, double uncertainty) { lower_ = std::max(lower_, std::abs(value) - uncertainty); }
 
+  [[nodiscard]] double most_to_drop() const {
+    return std::max(enough_, (1.0 + relative_width_) * lower_ + 2.0 * force_.rounding_);
+  }
+
   /// Whether a piece is done with, which it then is.
   bool drop(double upper) {
-    if (upper > std::max(enough_, (1.0 + relative_width_) * lower_ + 2.0 * force_.rounding_)) return false;
+    if (upper > most_to_drop()) return false;
     upper_ = std::max(upper_, upper);
     return true;
   }
@@ -174,10 +198,10 @@ class ForceMaximum::Search {
     return terms;
   }
 
-  /// Centres of the pieces that a grid leaves; radius_ is their half-width.
-  std::vector<double> on_a_grid() {
+  /// Drops most pieces of a grid by their chords and divides the others.
+  void on_a_grid() {
     const double excess = kGridExcess * std::max(first_look(), enough_);
-    const std::size_t terms = cheapest_terms(excess);
+    const std::size_t terms = cheapest_terms(excess), all = force_.sinusoids_.size();
     const double step = std::sqrt(8.0 * (excess - truncation(terms).rest) / truncation(terms).curvature);
     const double count = std::ceil(force_.duration_ / step);
     if (!(count <= kMostGridPoints))
@@ -187,92 +211,158 @@ class ForceMaximum::Search {
     const auto intervals = std::max<std::size_t>(1, static_cast<std::size_t>(count));
     const double h = force_.duration_ / static_cast<double>(intervals);
     radius_ = 0.5 * h;
+    tabulate_to(terms, h);
 
     const double chord = truncation(terms).curvature * h * h / 8.0;
-    const double uncertainty = truncation(terms).rest + force_.rounding_;
-    std::vector<double> ends;  // |f_k| at the grid points
-    ends.reserve(intervals + kBlock);
-    sample(h, intervals + 1, terms, ends);
-    if (lower_ > too_much_) return {};
-    see(force_.value(h * static_cast<double>(std::max_element(ends.begin(), ends.end()) - ends.begin())),
-        force_.rounding_);
+    const double uncertainty = truncation(terms).rest + force_.rounding_ + turning_;
+    sample(h, intervals + 1, terms);
+    if (lower_ > too_much_) return;
+    const auto highest = std::max_element(tops_.begin(), tops_.end()) - tops_.begin();
+    const auto block = ends_.begin() + highest * static_cast<std::ptrdiff_t>(kBlock);
+    const auto best = std::find(block, ends_.end(), tops_[static_cast<std::size_t>(highest)]);
+    see(force_.value(h * static_cast<double>(best - ends_.begin())), force_.rounding_);
 
-    std::vector<double> left;
-    for (std::size_t i = 0; i < intervals; ++i)
-      if (!drop(std::max(ends[i], ends[i + 1]) + chord + uncertainty))
-        left.push_back((static_cast<double>(i) + 0.5) * h);
-    return left;
+    start_.resize(all);
+    double dropped = 0.0;
+    for (std::size_t first = 0; first < intervals; first += kBlock) {
+      const std::size_t last = std::min(first + kBlock, intervals);
+      if (drop(std::max(tops_[first / kBlock], ends_[last]) + chord + uncertainty)) continue;
+      if (depths_.empty()) deepen();
+      tabulate_to(all, h);
+      phases_at((static_cast<double>(first) + 0.5) * h, start_.data());
+      double low = most_to_drop() - chord - uncertainty;
+      for (std::size_t i = first; i < last; ++i) {
+        const double top = std::max(ends_[i], ends_[i + 1]);
+        if (top <= low) {
+          dropped = std::max(dropped, top);
+          continue;
+        }
+        column_ = i - first;
+        turn_from_start(0, depths_.front().terms);
+        settle((static_cast<double>(i) + 0.5) * h, 0);
+        if (lower_ > too_much_) return;
+        low = most_to_drop() - chord - uncertainty;
+      }
+    }
+    upper_ = std::max(upper_, dropped + chord + uncertainty);
+  }
+
+  /// The phases of a piece of the grid, from those at the start of its block.
+  void turn_from_start(std::size_t from, std::size_t to) {
+    for (std::size_t n = from; n < to; ++n)
+      phases_[n] = turned(start_[n], {sines_[n][column_], cosines_[n][column_]});
+  }
+
+  /// Of the first sinusoids, what is not tabulated yet.
+  void tabulate_to(std::size_t terms, double h) {
+    for (std::size_t n = sines_.size(); n < terms; ++n)
+      tabulate(force_.sinusoids_[n].angular_frequency * h, sines_.emplace_back(), cosines_.emplace_back());
+  }
+
+  /// sin(w t) and cos(w t) of every sinusoid.
+  void phases_at(double t, Phase* phases) const {
+    for (const auto& [a, w] : force_.sinusoids_) *phases++ = {std::sin(w * t), std::cos(w * t)};
   }
 
   /// The largest of a few values, as a scale.
   double first_look() {
-    constexpr int looks = 24;
-    for (int i = 1; i <= looks && lower_ <= too_much_; ++i)
-      see(force_.value(force_.duration_ * i / looks), force_.rounding_);
+    const double step = force_.duration_ / static_cast<double>(kLooks);
+    std::array<double, kLooks> values{};
+    for (const auto& [a, w] : force_.sinusoids_) {
+      const Phase turn{std::sin(w * step), std::cos(w * step)};
+      Phase phase;
+      for (double& value : values) value += a * (phase = turned(phase, turn)).sine;
+    }
+    for (std::size_t i = 0; i < kLooks; ++i)
+      see(values[i] + force_.beats(step * static_cast<double>(i + 1)), force_.rounding_ + turning_);
     return lower_;
   }
 
-  /// |f_k| at 0, h, ... into `values`, `count` of them or until there is too much.
-  void sample(double h, std::size_t count, std::size_t terms, std::vector<double>& values) {
-    std::vector<Row> sines(terms), cosines(terms);
-    for (std::size_t n = 0; n < terms; ++n)
-      tabulate(force_.sinusoids_[n].angular_frequency * h, sines[n], cosines[n]);
-    const double uncertainty = truncation(terms).rest + force_.rounding_;
-    Row block;
-    while (values.size() < count && lower_ <= too_much_) {
-      const auto first = static_cast<double>(values.size());
-      block.fill(0.0);
+  /// |f_k| at 0, h, ... into ends_ and the largest of each block into tops_, `count` of them or until there is too much.
+  void sample(double h, std::size_t count, std::size_t terms) {
+    const double uncertainty = truncation(terms).rest + force_.rounding_ + turning_;
+    const std::size_t blocks = (count + kBlock - 1) / kBlock;
+    ends_.resize(blocks * kBlock);
+    for (std::size_t first = 0; first < count && lower_ <= too_much_; first += kBlock) {
+      double* const block = &ends_[first];
       for (std::size_t n = 0; n < terms; ++n) {
         const auto& [a, w] = force_.sinusoids_[n];
-        const double s = a * std::sin(w * h * first), c = a * std::cos(w * h * first);
-        for (std::size_t i = 0; i < kBlock; ++i) block[i] += s * cosines[n][i] + c * sines[n][i];
+        const double t = h * static_cast<double>(first);
+        const double s = a * std::sin(w * t), c = a * std::cos(w * t);
+        for (std::size_t i = 0; i < kBlock; ++i) block[i] += s * cosines_[n][i] + c * sines_[n][i];
       }
       if (!force_.beats_.empty())
-        for (std::size_t i = 0; i < kBlock; ++i)
-          block[i] += force_.beats(h * (first + static_cast<double>(i)));
-      double largest = 0.0;
-      const std::size_t used = std::min(kBlock, count - values.size());
-      for (std::size_t i = 0; i < used; ++i) largest = std::max(largest, std::abs(block[i]));
-      for (std::size_t i = 0; i < used; ++i) values.push_back(std::abs(block[i]));
-      see(largest, uncertainty);
+        for (std::size_t i = 0; i < kBlock; ++i) block[i] += force_.beats(h * static_cast<double>(first + i));
+      std::fill(block + std::min(kBlock, count - first), block + kBlock, 0.0);
+      constexpr std::size_t lanes = 8;  // which do not wait for each other
+      std::array<double, lanes> largest{};
+      for (std::size_t i = 0; i < kBlock; i += lanes)
+        for (std::size_t lane = 0; lane < lanes; ++lane) {
+          const double value = block[i + lane] = std::abs(block[i + lane]);
+          largest[lane] = largest[lane] < value ? value : largest[lane];
+        }
+      tops_.push_back(*std::max_element(largest.begin(), largest.end()));
+      see(tops_.back(), uncertainty);
     }
   }
 
-  /// Judges every piece by its parabola; what is not done with is closed by its peak or divided.
-  void halve() {
-    const std::size_t terms = sufficient_terms(radius_);
-    const Truncation& kept = truncation(terms);
-    const double uncertainty = kept.rest + force_.rounding_;
-    const double excess = kept.third * radius_ * radius_ * radius_ / 6.0 + uncertainty;
-    std::vector<double> left;
-    for (const double t : centres_) {
-      const Jet at = force_.jet(t, terms);
-      see(at.value, uncertainty);
+  /// Adds the next depth.
+  void deepen() {
+    Depth next;
+    next.radius = depths_.empty() ? radius_ : 0.5 * depths_.back().radius;
+    next.terms = sufficient_terms(next.radius);
+    const Truncation& kept = truncation(next.terms);
+    const bool is_exact = !depths_.empty() && depths_.size() % kMostTurns == 0;
+    next.uncertainty = kept.rest + force_.rounding_ + (is_exact ? 0.0 : turning_);
+    next.excess = kept.third * next.radius * next.radius * next.radius / 6.0 + next.uncertainty;
+    next.half_radius.resize(force_.sinusoids_.size());
+    phases_at(0.5 * next.radius, next.half_radius.data());
+    depths_.push_back(std::move(next));
+    phases_.resize((depths_.size() + 1) * force_.sinusoids_.size());
+  }
+
+  /// Judges a piece by its parabola; if it is not done with, it is closed by its peak or divided. Its phases are those
+  /// of its depth in phases_.
+  void settle(double t, std::size_t depth) {
+    const std::size_t all = force_.sinusoids_.size(), terms = depths_[depth].terms;
+    const double radius = depths_[depth].radius;
+    const Jet at = force_.jet(t, &phases_[depth * all], terms);
+    see(at.value, depths_[depth].uncertainty);
+    if (lower_ > too_much_) return;
+    if (drop(largest_parabola(at.value, at.slope, at.curvature, radius) + depths_[depth].excess)) return;
+    if (terms == all && close_by_peak(t, radius, at)) return;
+    if (depth == 0) turn_from_start(terms, all);
+    if (depth + 1 == depths_.size()) deepen();
+    for (const double side : {-1.0, 1.0}) {
+      const Phase* const from = &phases_[depth * all];
+      Phase* const to = &phases_[(depth + 1) * all];
+      const double middle = t + side * 0.5 * radius;
+      if ((depth + 1) % kMostTurns == 0)
+        phases_at(middle, to);
+      else
+        for (std::size_t n = 0; n < all; ++n) {
+          const auto& [sine, cosine] = depths_[depth].half_radius[n];
+          to[n] = turned(from[n], {side * sine, cosine});
+        }
+      settle(middle, depth + 1);
       if (lower_ > too_much_) return;
-      const double upper = largest_parabola(at.value, at.slope, at.curvature, radius_) + excess;
-      if (drop(upper)) continue;
-      if (terms == force_.sinusoids_.size() && close_by_peak(t, at)) continue;
-      left.push_back(t - 0.5 * radius_);
-      left.push_back(t + 0.5 * radius_);
     }
-    centres_ = std::move(left);
-    radius_ *= 0.5;
   }
 
   /// Newton's method for the largest |f| of a piece on which f is concave away from zero.
-  bool close_by_peak(double centre, Jet at) {
+  bool close_by_peak(double centre, double radius, Jet at) {
     const double third = truncation(force_.sinusoids_.size()).third;
-    const double bend = std::abs(at.curvature) - third * radius_;  // m
-    const double lowest = std::abs(at.value) - std::abs(at.slope) * radius_ -
-                          0.5 * (std::abs(at.curvature) + third * radius_) * radius_ * radius_;
+    const double bend = std::abs(at.curvature) - third * radius;  // m
+    const double lowest = std::abs(at.value) - std::abs(at.slope) * radius -
+                          0.5 * (std::abs(at.curvature) + third * radius) * radius * radius;
     if (!(at.value * at.curvature < 0.0 && bend > 0.25 * std::abs(at.curvature) && lowest > 0.0))
       return false;
     double t = centre;
     for (int iteration = 0; iteration < 6; ++iteration) {
-      const double next = std::clamp(t - at.slope / at.curvature, centre - radius_, centre + radius_);
-      const double outward = next > centre ? centre + radius_ : centre - radius_;
+      const double next = std::clamp(t - at.slope / at.curvature, centre - radius, centre + radius);
+      const double outward = next > centre ? centre + radius : centre - radius;
       t = std::clamp(next, 0.0, force_.duration_);
-      at = force_.jet(t, force_.sinusoids_.size());
+      at = force_.jet(t);
       see(at.value, force_.rounding_);
       const bool rises_outward = t == outward && (t - centre) * at.slope * at.value > 0.0;
       const double gap = rises_outward ? 0.0 : 0.5 * at.slope * at.slope / bend;
@@ -284,19 +374,29 @@ class ForceMaximum::Search {
   const ForceMaximum& force_;
   double relative_width_, enough_, too_much_;
   double lower_{}, upper_{};
-  double radius_{};
-  std::vector<double> centres_;
+  double turning_{};                  // bound of the rounding of phases that are turned and not computed
+  double radius_{};                   // of the pieces of the grid
+  std::vector<double> ends_, tops_;   // |f_k| on the grid, and the largest of each block
+  std::vector<Row> sines_, cosines_;  // by sinusoid, of w i h
+  std::vector<Phase> start_;          // in the middle of the first piece of a block
+  std::size_t column_{};              // of a piece in its block
+  std::vector<Depth> depths_;
+  std::vector<Phase> phases_;  // by depth and sinusoid
 };
 
 Bounds ForceMaximum::refined_to(double relative_width) const {
+  return refined_to(relative_width, 0.0, std::numeric_limits<double>::infinity());
+}
+
+Bounds ForceMaximum::refined_to(double relative_width, double enough, double too_much) const {
   require_relative_width(relative_width);
-  return Search(*this, relative_width, 0.0, std::numeric_limits<double>::infinity()).bounds();
+  return Search(*this, relative_width, enough, too_much).bounds();
 }
 
 bool ForceMaximum::exceeds(double limit) const {
   const double sum = truncations_.front().rest + std::abs(sinusoids_.front().amplitude);
   if (beats_.empty() && sum + rounding_ <= limit) return false;
-  return Search(*this, 1e-10, limit, limit).bounds().lower > limit;
+  return refined_to(1e-10, limit, limit).lower > limit;
 }
 
 }  // namespace stickslip::analytic

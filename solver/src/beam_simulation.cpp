@@ -205,13 +205,13 @@ std::optional<double> first_slip(const data::Beam& beam, const data::FrictionLaw
                                  const data::NumericalSettings& numerics, const data::Damping& damping,
                                  Coordinates coordinates) {
   const BeamRun run{.damping = damping, .coordinates = coordinates};
-  BeamSimulation simulation(beam, friction, excitation, numerics, run);
   // The linear run, tens of times as fast, has the forces of these steps to rounding, far less than this margin.
   constexpr double margin = 1e-6;
   if (coordinates_of(run, numerics.elements()) == Coordinates::modal &&
       max_abs_friction_force(beam, excitation, numerics, {}, Coordinates::modal) <
           (1.0 - margin) * friction.static_coefficient() * beam.axial_force())
     return std::nullopt;
+  BeamSimulation simulation(beam, friction, excitation, numerics, run);
   const auto& events = simulation.integrator().events();
   for (long n = step_count(numerics.duration(), numerics.time_step()); n > 0 && events.empty(); --n)
     simulation.step();

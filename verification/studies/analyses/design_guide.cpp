@@ -239,10 +239,22 @@ DesignScan design_scan(const data::Case& problem, std::string_view parameter, co
   if (range.from < last) {
     const Scan scan(problem, parameter, band, last_share * result.accuracy);
     const std::vector<double> values = scan.grid({range.from, last});
+    std::vector<std::optional<Candidate>> candidates(values.size());
+    in_parallel(
+        values.size(),
+        [&](std::size_t i) {
+          candidates[i] = scan.at(values[i]);
+          static_cast<void>(candidates[i]->sticks());  // both neighbours ask for it
+        },
+        [&](double share) {
+          if (progress) progress(0.5 * share);
+        });
     std::vector<std::vector<DesignInterval>> parts(values.size() - 1);
     in_parallel(
-        parts.size(),
-        [&](std::size_t i) { scan.divide(scan.at(values[i]), scan.at(values[i + 1]), parts[i]); }, progress);
+        parts.size(), [&](std::size_t i) { scan.divide(*candidates[i], *candidates[i + 1], parts[i]); },
+        [&](double share) {
+          if (progress) progress(0.5 + 0.5 * share);
+        });
     result.intervals = joined(parts, is_one_frequency(band));
   }
   if (range.to > last)

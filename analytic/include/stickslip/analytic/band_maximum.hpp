@@ -98,7 +98,6 @@ class BandMaximum {
     std::optional<ForceMaximum> force;  // nothing where `known` is all there is to know
     Bounds known{0.0, std::numeric_limits<double>::infinity()};
     [[nodiscard]] bool exceeds(double limit);
-    [[nodiscard]] Bounds refined() const;
   };
   struct Interval {
     double from{}, to{};  // rad/s
@@ -107,21 +106,25 @@ class BandMaximum {
     [[nodiscard]] bool operator<(const Interval& other) const { return upper < other.upper; }
   };
   void divide(const FrequencyBand& band, const std::vector<double>& natural);
-  [[nodiscard]] Decided force_at(double omega) const;
+  [[nodiscard]] Decided force_at(double omega, double damped_width = 1e-8) const;
   [[nodiscard]] Suprema damped_between(double from, double to) const;
   [[nodiscard]] bool rises_above(Decided& from, Decided& to, double limit) const;
-  [[nodiscard]] double upper_value(double omega);
+  [[nodiscard]] double upper_value(double omega, double excess, double limit, double relative_width);
   [[nodiscard]] bool stays_below(double from, double to, double limit, int halvings) const;
   void add(double from, double to);
-  void sharpen(const Interval& interval);
+  void sharpen(const Interval& interval, double limit, double relative_width);
   [[nodiscard]] Bounds bounds() const;
 
   ModalReaction reaction_;
   std::optional<DampedReaction> damped_;
   DampedForcePart part_{};
   double duration_;
-  std::vector<double> marks_;        // the ends and the natural frequencies between them, rad/s, ascending
-  std::map<double, double> values_;  // upper bound of |f_max| by Ω
+  std::vector<double> marks_;  // the ends and the natural frequencies between them, rad/s, ascending
+  // An upper bound of |f_max|, and the relative width to which it is sharp.
+  struct UpperValue {
+    double upper{}, width{};
+  };
+  std::map<double, UpperValue> values_;  // by Ω
   std::priority_queue<Interval> intervals_;
   double lower_ = 0.0;
   double best_omega_ = 0.0;

@@ -96,6 +96,9 @@ class ContactDynamics {
 
   ContactModel model_;
   double free_mass_;  // m_c - a . a: what f_d accelerates when the modes may follow
+  static constexpr std::size_t kTogether = 4;
+  std::vector<double> damping_columns_;  // C by column, each filled up with zeros to a multiple of kTogether
+  std::size_t column_length_{};
 };
 
 }  // namespace stickslip::analytic

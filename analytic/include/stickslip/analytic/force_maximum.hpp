@@ -57,6 +57,10 @@ class ForceMaximum {
   /// points.
   [[nodiscard]] Bounds refined_to(double relative_width = 1e-10) const;
 
+  /// The same with less work where more is not asked: an upper bound that does not exceed `enough` (N/m) may be wide, and
+  /// a lower bound above `too_much` ends the search, after which the upper one says nothing.
+  [[nodiscard]] Bounds refined_to(double relative_width, double enough, double too_much) const;
+
   /// Whether max |f|/A0 exceeds the limit, N/m: refined_to(1e-10).lower > limit, with fewer evaluations.
   [[nodiscard]] bool exceeds(double limit) const;
 
@@ -82,7 +86,15 @@ class ForceMaximum {
     double rest{};       // R_k
   };
 
-  [[nodiscard]] Jet jet(double t, std::size_t terms) const;
+  // sin(w t) and cos(w t)
+  struct Phase {
+    double sine{}, cosine{1.0};
+  };
+  [[nodiscard]] static Phase turned(const Phase& phase, const Phase& by) {
+    return {phase.sine * by.cosine + phase.cosine * by.sine, phase.cosine * by.cosine - phase.sine * by.sine};
+  }
+  [[nodiscard]] Jet jet(double t) const;
+  [[nodiscard]] Jet jet(double t, const Phase* phases, std::size_t terms) const;
   [[nodiscard]] double beats(double t) const;
 
   double duration_;
