@@ -11,7 +11,6 @@
 #include "studies/history/converged_history.hpp"
 #include "studies/history/history_convergence.hpp"
 #include "studies/history/runs.hpp"
-#include "support/beams.hpp"
 #include "support/contact_models.hpp"
 #include "support/testing.hpp"
 
