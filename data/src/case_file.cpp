@@ -2,15 +2,15 @@
 #include "stickslip/data/case_file.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <fstream>
+#include <numbers>
 #include <system_error>
 #include <utility>
 
 #include "case_entry.hpp"
-#include "stickslip/data/default_numerics.hpp"
-#include "stickslip/data/installation.hpp"
 #include "stickslip/data/toml_file.hpp"
-#include "stickslip/data/toml_record.hpp"
 
 namespace stickslip::data {
 
@@ -178,6 +178,21 @@ bool is_file(const std::filesystem::path& path) {
   return std::filesystem::exists(path, error) && !std::filesystem::is_directory(path, error);
 }
 
+constexpr int fewest_modes = 10, most_modes = 200;
+
+// The largest of 1, 2 and 5 times a power of ten that is not above the value, as the double nearest to it.
+double rounded_down(double value) {
+  int exponent = static_cast<int>(std::floor(std::log10(value)));
+  const auto multiple = [&exponent](double factor) {
+    const double power = std::pow(10.0, std::abs(exponent));  // exact up to 1e22
+    return exponent < 0 ? factor / power : factor * power;
+  };
+  if (multiple(1.0) > value) --exponent;  // just below a power of ten log10 is rounded up
+  for (const double factor : {5.0, 2.0})
+    if (multiple(factor) <= value) return multiple(factor);
+  return multiple(1.0);
+}
+
 }  // namespace
 
 void throw_overflow(std::string_view result) {
@@ -258,6 +273,36 @@ std::vector<CaseListing> list_cases() {
                      "); STICKSLIP_DATA must name the folder that holds cases/");
   std::ranges::sort(cases, {}, &CaseListing::name);
   return cases;
+}
+
+namespace fs = std::filesystem;
+
+fs::path installed_folder(const char* variable, std::string_view folder, std::string_view source) {
+  if (const char* chosen = std::getenv(variable); chosen != nullptr && *chosen != '\0') return chosen;
+  std::error_code
+      error;  // without /proc a program does not know its place, and what is not there is not installed
+  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  const fs::path installed = (program.parent_path() / STICKSLIP_SHARED_FILES / folder).lexically_normal();
+  return fs::is_directory(installed, error) ? installed : fs::path(source);
+}
+
+NumericalChoices default_numerics(const Beam& beam, const HarmonicExcitation& excitation, double duration) {
+  constexpr double pi = std::numbers::pi;
+  const double bending_stiffness = beam.youngs_modulus() * beam.second_moment_of_area();
+  const double mass = beam.density() * beam.area();
+  const double unit =
+      std::sqrt(bending_stiffness / mass) / (beam.length() * beam.length()) / (2.0 * pi);  // Hz
+  const double resolved = 4.0 * excitation.frequency_hz();
+  const double above = std::ceil(std::sqrt(resolved / unit) / pi - 0.25);
+  const int k = static_cast<int>(std::clamp(above, double{fewest_modes}, double{most_modes}));
+  const double wave_number = (k + 0.25) * pi;
+  const double step = 1.0 / (50.0 * (wave_number * wave_number * unit));
+  return {.elements = 4 * k,
+          .time_step = rounded_down(duration > 0.0 ? std::min(duration, step) : step),
+          .spectral_radius = 0.9,
+          .velocity_threshold = 0.0,
+          .modes = k,
+          .duration = duration};
 }
 
 }  // namespace stickslip::data

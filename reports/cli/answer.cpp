@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "stickslip/data/case_file.hpp"
-#include "studies/common/common_digits.hpp"
+#include "studies/common/convergence.hpp"
 
 namespace stickslip::cli {
 

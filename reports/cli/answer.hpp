@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "stickslip/analytic/bounds.hpp"
+#include "stickslip/analytic/force_maximum.hpp"
 
 namespace stickslip::cli {
 

@@ -11,10 +11,10 @@
 #include <system_error>
 
 #include "case_options.hpp"
+#include "map_part.hpp"
 #include "range_text.hpp"
 #include "render/criterion_map.hpp"
-#include "studies/analyses/map_estimate.hpp"
-#include "unfinished_map.hpp"
+#include "studies/analyses/criterion_map.hpp"
 
 namespace stickslip::cli {
 

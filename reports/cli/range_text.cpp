@@ -107,4 +107,28 @@ studies::MapAxis parse_axis(std::string_view option, std::string_view text) {
   return studies::map_axis(key.path, range.from, range.to, *count, logarithmic);
 }
 
+std::pair<std::string, double> parse_tolerance(const std::string& text) {
+  const auto equals = text.find('=');
+  const std::string number = equals == std::string::npos ? text : text.substr(equals + 1);
+  const auto value = parse<double>(number);
+  if (!value || equals == 0)
+    throw data::FieldError("--tolerance", fmt::format("'{}'", data::printable(text)),
+                           "a number or QUANTITY=NUMBER, as in frequency=1e-3");
+  return {equals == std::string::npos ? "" : text.substr(0, equals), *value};
+}
+
+std::vector<std::pair<std::size_t, std::size_t>> parse_rows(const std::string& text) {
+  std::vector<std::pair<std::size_t, std::size_t>> ranges;
+  for (const std::string_view range : split(text, ',')) {
+    const auto colon = std::min(range.find(':'), range.size());
+    const auto first = parse<std::size_t>(range.substr(0, colon));
+    const auto last = colon < range.size() ? parse<std::size_t>(range.substr(colon + 1)) : first;
+    if (!first || !last)
+      throw data::FieldError("--rows", fmt::format("'{}'", data::printable(text)),
+                             "numbers of rows of the data set, as in 1:12 or 1:3,7");
+    ranges.emplace_back(*first, *last);
+  }
+  return ranges;
+}
+
 }  // namespace stickslip::cli

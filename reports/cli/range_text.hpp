@@ -6,6 +6,7 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "studies/analyses/criterion_map.hpp"
@@ -29,5 +30,11 @@ namespace stickslip::cli {
 
 /// The parameters that an axis may have: "length (beam.length, m), ...".
 [[nodiscard]] std::string axis_help();
+
+/// --tolerance "QUANTITY=VALUE", or "VALUE" for all, whose name is empty.
+[[nodiscard]] std::pair<std::string, double> parse_tolerance(const std::string& text);
+
+/// --rows "1:12,15".
+[[nodiscard]] std::vector<std::pair<std::size_t, std::size_t>> parse_rows(const std::string& text);
 
 }  // namespace stickslip::cli

@@ -9,7 +9,7 @@
 #include "commands.hpp"
 #include "history_output.hpp"
 #include "studies/analyses/problem_warnings.hpp"
-#include "studies/history/runs.hpp"
+#include "studies/history/method.hpp"
 
 namespace stickslip::cli {
 

@@ -12,7 +12,7 @@
 #include "range_text.hpp"
 #include "render/criterion_map.hpp"
 #include "render/drawing.hpp"
-#include "studies/analyses/parameter_sweep.hpp"
+#include "studies/analyses/contact_response.hpp"
 
 namespace stickslip::cli {
 

@@ -7,9 +7,7 @@
 #include "stickslip/certified/complex.hpp"
 #include "stickslip/certified/force_maximum.hpp"
 #include "stickslip/certified/roots.hpp"
-#include "stickslip/certified/slip_modes.hpp"
 #include "stickslip/certified/stick_modes.hpp"
-#include "stickslip/certified/tip_mobility.hpp"
 #include "support/testing.hpp"
 
 namespace stickslip::testing {

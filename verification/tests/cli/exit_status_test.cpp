@@ -4,10 +4,10 @@
 #include <new>
 
 #include "exit_status.hpp"
+#include "map_part.hpp"
 #include "output_file.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "support/testing.hpp"
-#include "unfinished_map.hpp"
 
 namespace stickslip::cli {
 namespace {

@@ -12,7 +12,7 @@
 #include "studies/common/convergence.hpp"
 #include "studies/common/discretisation.hpp"
 #include "studies/common/problem_parameter.hpp"
-#include "studies/verification/tip_run.hpp"
+#include "studies/verification/stick_sum.hpp"
 #include "support/contact_models.hpp"
 #include "support/testing.hpp"
 

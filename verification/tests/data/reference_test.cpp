@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "stickslip/data/case_file.hpp"
+#include "stickslip/data/input_text.hpp"
 #include "stickslip/data/reference.hpp"
-#include "stickslip/data/sha256.hpp"
 #include "support/input_folder.hpp"
 #include "support/testing.hpp"
 

@@ -9,7 +9,7 @@
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "stickslip/solver/energy_balance.hpp"
-#include "studies/history/runs.hpp"
+#include "studies/history/method.hpp"
 #include "studies/verification/model_form.hpp"
 #include "support/contact_models.hpp"
 #include "support/order.hpp"

@@ -8,9 +8,8 @@
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "studies/analyses/problem_warnings.hpp"
-#include "studies/history/converged_history.hpp"
 #include "studies/history/history_convergence.hpp"
-#include "studies/history/runs.hpp"
+#include "studies/history/method.hpp"
 #include "support/contact_models.hpp"
 #include "support/testing.hpp"
 

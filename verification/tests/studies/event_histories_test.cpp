@@ -3,9 +3,9 @@
 /// from event to event.
 
 #include "stickslip/analytic/beam_contact_model.hpp"
-#include "studies/history/runs.hpp"
-#include "studies/verification/event_order.hpp"
-#include "studies/verification/scheme_comparison.hpp"
+#include "studies/history/method.hpp"
+#include "studies/verification/energy_audit.hpp"
+#include "studies/verification/time_order.hpp"
 #include "support/damped_benchmark.hpp"
 #include "support/order.hpp"
 #include "support/testing.hpp"

@@ -9,11 +9,10 @@
 #include "stickslip/solver/generalized_alpha.hpp"
 #include "studies/common/convergence.hpp"
 #include "studies/common/discretisation.hpp"
-#include "studies/history/runs.hpp"
-#include "studies/verification/beam_motion.hpp"
+#include "studies/history/method.hpp"
+#include "studies/verification/contact_histories.hpp"
 #include "studies/verification/force_maximum.hpp"
 #include "studies/verification/frequencies.hpp"
-#include "studies/verification/stick_history.hpp"
 #include "support/order.hpp"
 #include "support/testing.hpp"
 
