@@ -61,7 +61,7 @@ std::pair<double, std::size_t> spread_of(const data::Case& problem, const data::
   const auto work = [&](std::size_t index) {
     try {
       const auto point = joint.at(independent_point(1, index, joint.size()));
-      values[index] = sampled(case_at(problem, uncertainty.keys, point), one);
+      values[index] = sampled(studies::case_at(problem, uncertainty.keys, point), one);
     } catch (const data::InputError&) {
       return;  // no beam
     }

@@ -1,25 +1,13 @@
 // SPDX-License-Identifier: MIT
 /// The boundary integral equation of a contact: its weights and its steps. contact_battery_test.cpp has its histories.
 
-#include "stickslip/analytic/boundary_integral.hpp"
-
-#include <gtest/gtest.h>
-
 #include <Eigen/Dense>
-#include <algorithm>
-#include <cmath>
-#include <complex>
-#include <cstddef>
-#include <numbers>
 #include <random>
-#include <stdexcept>
-#include <vector>
 
+#include "stickslip/analytic/boundary_integral.hpp"
 #include "stickslip/analytic/free_mode_run.hpp"
 #include "stickslip/analytic/tip_mobility.hpp"
-#include "support/beams.hpp"
-#include "support/requirements.hpp"
-#include "support/tolerance.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {

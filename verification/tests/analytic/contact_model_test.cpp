@@ -1,25 +1,15 @@
 // SPDX-License-Identifier: MIT
 /// The beam as a ContactModel: its closed forms against quadrature, its modes and reactions in the limit.
 
-#include <gtest/gtest.h>
-
 #include <Eigen/Dense>
-#include <array>
-#include <cmath>
-#include <numbers>
-#include <stdexcept>
-#include <vector>
 
 #include "analytic/gsl.hpp"
 #include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/analytic/event_driven.hpp"
 #include "stickslip/analytic/slip_modes.hpp"
 #include "stickslip/analytic/stick_response.hpp"
-#include "support/beams.hpp"
 #include "support/contact_models.hpp"
-#include "support/error_message.hpp"
-#include "support/requirements.hpp"
-#include "support/tolerance.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {

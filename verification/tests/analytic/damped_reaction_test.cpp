@@ -2,21 +2,11 @@
 /// The stick-state reaction with damping: without damping it is Eq. (28), it tends to the steady vibration in closed
 /// form, and its largest value lies between the bounds.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <complex>
-#include <limits>
-#include <numbers>
-
-#include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/damped_reaction.hpp"
+#include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/damped_steady_state.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
-#include "support/beams.hpp"
-#include "support/requirements.hpp"
-#include "support/tolerance.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {
@@ -28,7 +18,6 @@ using std::numbers::pi;
 
 constexpr double width = 1e-10;  // of the bounds, relative
 
-data::Damping kelvin_voigt(double eta) { return data::Damping({.kelvin_voigt = eta}); }
 data::Damping by_ratio(double zeta) { return data::Damping({.ratio = zeta}); }
 
 data::HarmonicExcitation at(double hz) { return data::HarmonicExcitation({hz, 1.0}); }

@@ -1,23 +1,11 @@
 // SPDX-License-Identifier: MIT
 /// The damped steady vibration in closed form: its equation and boundary conditions, its dissipation and its force.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <complex>
-#include <numbers>
-#include <stdexcept>
-#include <vector>
-
 #include "stickslip/analytic/damped_steady_state.hpp"
 #include "stickslip/analytic/slip_modes.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/analytic/stick_response.hpp"
-#include "support/beams.hpp"
-#include "support/error_message.hpp"
-#include "support/requirements.hpp"
-#include "support/tolerance.hpp"
+#include "support/testing.hpp"
 #include "support/vibration.hpp"
 
 namespace stickslip::testing {

@@ -2,21 +2,9 @@
 /// A wall that moves, and periodic motions with their Floquet multipliers, where they are known in closed form: one mass.
 
 #include "stickslip/analytic/periodic_motion.hpp"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <complex>
-#include <limits>
-#include <numbers>
-#include <set>
-#include <vector>
-
 #include "stickslip/analytic/steady_sliding.hpp"
 #include "support/contact_models.hpp"
-#include "support/requirements.hpp"
-#include "support/tolerance.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {

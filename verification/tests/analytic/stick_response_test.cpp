@@ -1,21 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <numbers>
-#include <stdexcept>
-#include <vector>
-
-#include "stickslip/analytic/force_maximum.hpp"
 #include "stickslip/analytic/stick_response.hpp"
-#include "support/beams.hpp"
-#include "support/error_message.hpp"
+#include "stickslip/analytic/force_maximum.hpp"
 #include "support/order.hpp"
-#include "support/requirements.hpp"
-#include "support/tolerance.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {
@@ -30,10 +17,6 @@ using analytic::StickResponse;
 using std::numbers::pi;
 
 constexpr std::array kBothSums{SteadyPart::modal_sum, SteadyPart::exact};
-
-data::HarmonicExcitation shaking(double frequency_hz, double amplitude = 0.5e-3) {
-  return data::HarmonicExcitation({.frequency_hz = frequency_hz, .amplitude = amplitude});
-}
 
 double mass(const data::Beam& beam) { return beam.density() * beam.area(); }
 

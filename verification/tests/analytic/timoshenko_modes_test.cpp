@@ -2,19 +2,11 @@
 /// The stick state of the Timoshenko beam against a spectral discretisation that shares nothing with it, a published
 /// table and its limits.
 
-#include <gtest/gtest.h>
-
 #include <Eigen/Eigenvalues>
-#include <cmath>
-#include <limits>
-#include <numbers>
-#include <utility>
-#include <vector>
 
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/analytic/timoshenko_modes.hpp"
-#include "support/requirements.hpp"
-#include "support/tolerance.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {

@@ -2,23 +2,13 @@
 /// The mobility of the tip, from the clamp to the tip, against the boundary value problem that it solves.
 /// cross_certified_test.cpp has it at the tip, with its limits.
 
-#include "stickslip/analytic/tip_mobility.hpp"
-
-#include <gtest/gtest.h>
-
 #include <Eigen/LU>
-#include <algorithm>
-#include <cmath>
-#include <complex>
-#include <numbers>
-#include <stdexcept>
 
 #include "stickslip/analytic/slip_modes.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
-#include "support/beams.hpp"
+#include "stickslip/analytic/tip_mobility.hpp"
 #include "support/random_beams.hpp"
-#include "support/requirements.hpp"
-#include "support/tolerance.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {
@@ -31,8 +21,6 @@ constexpr double length = 2.0;                     // L, m
 constexpr double mass_per_length = 10.0;           // rho A, kg/m
 constexpr double stiffness = 2e9 * 1e-4 / 12.0;    // EI, N m^2
 const double unit = frequency_unit(paper_beam());  // s = k * unit, 1/s
-
-data::Damping kelvin_voigt(double eta) { return data::Damping({.kelvin_voigt = eta}); }
 
 /// s u(xi) of a unit force at the tip from the four boundary conditions, as a linear system for four waves.
 struct Waves {

@@ -2,25 +2,13 @@
 /// Ball arithmetic: what is certain is stated, what is not is not, and the closed forms have their
 /// properties.
 
-#include "stickslip/certified/stick_modes.hpp"
-
 #include <acb_calc.h>
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <functional>
-#include <limits>
-#include <numbers>
-#include <string>
-#include <vector>
 
 #include "stickslip/certified/complex.hpp"
 #include "stickslip/certified/force_maximum.hpp"
 #include "stickslip/certified/roots.hpp"
-#include "support/error_message.hpp"
-#include "support/requirements.hpp"
-#include "support/tolerance.hpp"
+#include "stickslip/certified/stick_modes.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {

@@ -1,16 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// Doubles against proven enclosures: the closed form to round-off, finite elements from above.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <complex>
-#include <numbers>
-#include <string>
-#include <vector>
-
 #include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/slip_modes.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
@@ -22,10 +12,8 @@
 #include "stickslip/certified/stick_response.hpp"
 #include "stickslip/solver/modal_analysis.hpp"
 #include "studies/common/problem_parameter.hpp"
-#include "support/beams.hpp"
 #include "support/random_beams.hpp"
-#include "support/requirements.hpp"
-#include "support/tolerance.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {

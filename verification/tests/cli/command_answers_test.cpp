@@ -1,27 +1,13 @@
 // SPDX-License-Identifier: MIT
 /// What the commands answer: every field of their JSON, options with each method, and digits that are true.
 
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdlib>
-#include <limits>
-#include <map>
-#include <numbers>
-#include <sstream>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "stickslip/analytic/amplitude_spectrum.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/data/reference.hpp"
 #include "support/command_line.hpp"
-#include "support/requirements.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {

@@ -1,22 +1,13 @@
 // SPDX-License-Identifier: MIT
 /// The command line, run as a program: exit status, streams, formats and files.
 
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <string>
-#include <vector>
 
 #include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "support/command_line.hpp"
-#include "support/requirements.hpp"
+#include "support/testing.hpp"
 #include "support/vibration.hpp"
 
 namespace stickslip::testing {

@@ -2,20 +2,12 @@
 /// The commands that hand out the reference data and compare with them: exit status, streams, JSON, JUnit,
 /// figure.
 
-#include <gtest/gtest.h>
-
-#include <fmt/format.h>
-
-#include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <pugixml.hpp>
-#include <string>
-#include <vector>
 
 #include "comparison_output.hpp"
 #include "support/command_line.hpp"
-#include "support/requirements.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {

@@ -1,20 +1,13 @@
 // SPDX-License-Identifier: MIT
 /// With what the program ends, by the kind of the exception: what the user can mend, and what not.
 
-#include "exit_status.hpp"
-
-#include <gtest/gtest.h>
-
-#include <array>
-#include <filesystem>
 #include <new>
-#include <stdexcept>
-#include <string>
 
+#include "exit_status.hpp"
 #include "map_part.hpp"
 #include "output_file.hpp"
 #include "stickslip/data/case_file.hpp"
-#include "support/requirements.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::cli {
 namespace {

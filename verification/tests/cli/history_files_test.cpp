@@ -1,18 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// What `respond` writes and draws by default: enough for the eye, whatever the step and the duration.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <string>
-#include <vector>
-
-#include "support/requirements.hpp"
 #include "support/signalled_run.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {

@@ -2,13 +2,8 @@
 /// Runs that are killed at fifty random moments: what has a name of its own is whole each time, and the same
 /// command completes.
 
-#include <gtest/gtest.h>
-
-#include <filesystem>
-#include <string>
-
-#include "support/requirements.hpp"
 #include "support/signalled_run.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {

@@ -2,24 +2,12 @@
 /// The manual: every command in it runs, in the order of the text, and prints what is shown; every link leads
 /// somewhere.
 
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <cctype>
 #include <charconv>
-#include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <optional>
 #include <regex>
-#include <set>
-#include <sstream>
-#include <string>
-#include <vector>
 
 #include "support/command_line.hpp"
-#include "support/requirements.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {

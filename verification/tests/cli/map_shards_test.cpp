@@ -1,21 +1,12 @@
 // SPDX-License-Identifier: MIT
 /// Maps made in parts, by several threads, shards and runs: always the same bytes.
 
-#include <gtest/gtest.h>
 #include <signal.h>
-
-#include <algorithm>
 #include <cerrno>
-#include <cstddef>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
-#include <optional>
-#include <string>
-#include <vector>
 
-#include "support/requirements.hpp"
 #include "support/signalled_run.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {

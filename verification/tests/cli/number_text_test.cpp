@@ -2,9 +2,7 @@
 /// Numbers on the command line: the digits that hold, and no others.
 
 #include "answer.hpp"
-
-#include <gtest/gtest.h>
-#include "support/requirements.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::cli {
 namespace {

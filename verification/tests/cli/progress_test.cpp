@@ -1,28 +1,17 @@
 // SPDX-License-Identifier: MIT
 /// How far long work is, and on how many threads it runs.
 
-#include "render/progress.hpp"
-
 #include <fcntl.h>
-#include <gtest/gtest.h>
 #include <unistd.h>
-
-#include <algorithm>
-#include <array>
 #include <atomic>
 #include <cerrno>
 #include <chrono>
-#include <cstddef>
-#include <cstdlib>
 #include <cstring>
-#include <stdexcept>
-#include <string>
-#include <string_view>
 #include <thread>
-#include <vector>
 
+#include "render/progress.hpp"
 #include "studies/common/parallel.hpp"
-#include "support/requirements.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip {
 namespace {

@@ -1,20 +1,13 @@
 // SPDX-License-Identifier: MIT
 /// The same input gives the same bytes: twice, in any locale, on standard output and in files.
 
-#include <gtest/gtest.h>
-
-#include <filesystem>
-#include <fstream>
 #include <locale>
-#include <string>
-#include <vector>
 
 #include "render/csv_table.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/data/user_table.hpp"
 #include "support/command_line.hpp"
-#include "support/error_message.hpp"
-#include "support/requirements.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {

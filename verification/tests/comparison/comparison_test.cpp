@@ -2,22 +2,13 @@
 /// Somebody's results against reference data: a copy agrees, an error of known size is found where it is,
 /// events and phases are kept apart, and known mistakes are named.
 
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
 #include <random>
-#include <string>
-#include <vector>
 
 #include "comparison/diagnosis/wrong_models.hpp"
 #include "own_copy.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/data/case_file.hpp"
-#include "support/paper_settings.hpp"
-#include "support/requirements.hpp"
-#include "support/tolerance.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {

@@ -1,20 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// What a result that differs from a published data set looks like: files of known mistakes.
 
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <functional>
 #include <initializer_list>
-#include <numbers>
-#include <numeric>
-#include <optional>
 #include <random>
-#include <string>
-#include <tuple>
-#include <vector>
 
 #include "comparison/diagnosis/patterns.hpp"
 #include "comparison/diagnosis/wrong_model_recipes.hpp"
@@ -26,9 +14,7 @@
 #include "stickslip/solver/beam_simulation.hpp"
 #include "studies/common/discretisation.hpp"
 #include "studies/common/problem_parameter.hpp"
-#include "support/paper_settings.hpp"
-#include "support/requirements.hpp"
-#include "support/tolerance.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {

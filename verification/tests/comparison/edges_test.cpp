@@ -2,23 +2,12 @@
 /// Verdicts of a comparison at the edges: an error equal to what is allowed, an uncertainty equal to the
 /// tolerance, a time equal to the horizon or to that of an event.
 
-#include <gtest/gtest.h>
 #include <unistd.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <filesystem>
-#include <fstream>
-#include <limits>
-#include <optional>
-#include <string>
-#include <vector>
 
 #include "comparison/groups.hpp"
 #include "own_copy.hpp"
 #include "stickslip/data/input_text.hpp"
-#include "support/requirements.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {

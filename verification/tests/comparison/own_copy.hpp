@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "comparison/diagnosis/diagnosis.hpp"
-#include "stickslip/data/input_error.hpp"
+#include "stickslip/data/case_file.hpp"
 #include "support/error_message.hpp"
 
 namespace stickslip::testing {
@@ -144,6 +144,16 @@ inline OwnCopy published_copy(const std::string& set, const std::vector<std::str
 /// The settings with the events of the same run.
 inline comparison::Settings with_events(const OwnCopy& events) {
   return {.tolerances = {}, .until = {}, .events = events.table};
+}
+
+/// A published case with the mesh, the step and the threshold of the paper, with which `compare` runs wrong models
+/// of damped cases.
+inline data::Case with_the_settings_of_the_paper(const std::string& name) {
+  data::Case problem = data::load_case(name);
+  data::NumericalChoices choices = data::load_case("paper").numerics.choices();
+  choices.duration = problem.numerics.duration();
+  problem.numerics = data::NumericalSettings(choices);
+  return problem;
 }
 
 }  // namespace stickslip::testing

@@ -2,21 +2,10 @@
 /// Files as other programs write them, against the published data: words, events that are missing in between,
 /// values of zero, files that end early, and times that are not those of the data set.
 
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <numbers>
-#include <string>
-#include <vector>
-
 #include "comparison/event_sequence.hpp"
 #include "comparison/samples.hpp"
 #include "own_copy.hpp"
-#include "support/requirements.hpp"
-#include "support/tolerance.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {

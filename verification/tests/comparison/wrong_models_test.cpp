@@ -1,34 +1,20 @@
 // SPDX-License-Identifier: MIT
 /// Wrong models that are to be recognised: each differs where it says so, and its own results name it.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <cctype>
-#include <cmath>
-#include <complex>
-#include <limits>
-#include <numbers>
 #include <random>
-#include <set>
-#include <stdexcept>
-#include <string>
-#include <tuple>
-#include <utility>
-#include <vector>
 
 #include "comparison/diagnosis/wrong_model_recipes.hpp"
 #include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
+#include "studies/common/convergence.hpp"
 #include "studies/common/discretisation.hpp"
 #include "studies/common/problem_parameter.hpp"
 #include "studies/verification/stick_sum.hpp"
-#include "support/beams.hpp"
 #include "support/contact_models.hpp"
-#include "support/requirements.hpp"
-#include "support/tolerance.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {
@@ -58,13 +44,7 @@ data::Norm norm_of(Quantity quantity) {
   return counts_each_alike ? data::Norm::relative : data::Norm::scale;
 }
 
-data::Case paper_case(double duration) {
-  return {.name = "paper",
-          .beam = paper_beam(),
-          .friction = paper_friction(),
-          .excitation = data::HarmonicExcitation({.frequency_hz = 25.0, .amplitude = 1e-3}),
-          .numerics = data::NumericalSettings(paper_choices(duration))};
-}
+data::Case paper_case(double duration) { return paper_problem(25.0, 1e-3, duration); }
 
 // A slender strip, 0.8 m by 20 mm by 30 mm, P at 6 % of its buckling load.
 data::Case strip_case(double duration) {
@@ -731,19 +711,14 @@ Values held_force(const data::Case& problem) {
   return force;
 }
 
-double largest_difference(const Values& a, const Values& b) {
-  double largest = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) largest = largest_or_nan({largest, std::abs(a[i] - b[i])});
-  return largest;
-}
-
 TEST(WrongModel, OfFourElementsIsTheTimeStepperOnThatMesh) {
   const data::Case problem = strip_case(0.3);
   const Values coarse = held_force(with_numerics(problem, 4, 4e-6)),
                fine = held_force(with_numerics(problem, 4, 2e-6));
   const Values exact = wrong_values(problem, "four-elements", Quantity::stick_force, steps_to(10e-3, 20));
-  EXPECT_TRUE(within(largest_difference(fine, exact), 0.0,
-                     discretisation(largest_difference(coarse, fine) / 3.0, 2.0, "order 2 in the step")));
+  EXPECT_TRUE(
+      within(studies::largest_difference(fine, exact), 0.0,
+             discretisation(studies::largest_difference(coarse, fine) / 3.0, 2.0, "order 2 in the step")));
 }
 
 TEST(WrongModel, WithAMovingWallCarriesTheTipAlongUntilItSlips) {

@@ -2,27 +2,11 @@
 /// Case files: the published ones hold the paper's numbers, and unusable input is refused in one sentence
 /// that names the place, the key, the value and what is allowed.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <map>
-#include <numbers>
-#include <sstream>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "stickslip/data/case_file.hpp"
-#include "support/beams.hpp"
 #include "support/input_folder.hpp"
-#include "support/requirements.hpp"
-#include "support/tolerance.hpp"
+#include "support/testing.hpp"
 
-namespace stickslip {
+namespace stickslip::testing {
 namespace {
 
 constexpr std::string_view valid_text = R"([beam]
@@ -757,4 +741,4 @@ TEST_F(CaseFile, AFolderWithoutCasesIsRefused) {
 }
 
 }  // namespace
-}  // namespace stickslip
+}  // namespace stickslip::testing

@@ -1,24 +1,11 @@
 // SPDX-License-Identifier: MIT
 /// What the paper prints, as data: complete, consistent with its digits, and tied to the errata.
 
-#include <gtest/gtest.h>
-
-#include <cstdlib>
-#include <filesystem>
-#include <map>
-#include <set>
-#include <stdexcept>
-#include <string>
-#include <string_view>
-#include <utility>
-
-#include "stickslip/data/case_file.hpp"
 #include "stickslip/data/paper.hpp"
+#include "stickslip/data/case_file.hpp"
 #include "support/claims.hpp"
-#include "support/error_message.hpp"
 #include "support/input_folder.hpp"
-#include "support/requirements.hpp"
-#include "support/tolerance.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip {
 namespace {

@@ -2,23 +2,13 @@
 /// The reader of the published reference data: what it returns, and that a package with any defect is refused
 /// in one sentence that names the file and the place in it.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <map>
 #include <nlohmann/json.hpp>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/data/input_text.hpp"
 #include "stickslip/data/reference.hpp"
 #include "support/input_folder.hpp"
-#include "support/requirements.hpp"
-#include "support/tolerance.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {

@@ -1,21 +1,10 @@
 // SPDX-License-Identifier: MIT
 /// The table [uncertainty] of a case file: what it says is read, anything else refused in one sentence.
 
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <numbers>
-#include <string>
-#include <utility>
-#include <vector>
-
-#include "stickslip/data/case_file.hpp"
 #include "stickslip/data/uncertainty.hpp"
+#include "stickslip/data/case_file.hpp"
 #include "support/input_folder.hpp"
-#include "support/requirements.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {

@@ -2,24 +2,13 @@
 /// Somebody else's CSV files: every spelling that is understood gives the same numbers, and what cannot be
 /// used is refused in one sentence that names file, line, column and value.
 
-#include <fmt/format.h>
-#include <gtest/gtest.h>
 #include <zlib.h>
-
-#include <algorithm>
-#include <filesystem>
-#include <numbers>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/data/csv_text.hpp"
 #include "stickslip/data/user_table.hpp"
-#include "support/error_message.hpp"
 #include "support/input_folder.hpp"
-#include "support/requirements.hpp"
-#include "support/tolerance.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {

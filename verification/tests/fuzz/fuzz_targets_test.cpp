@@ -1,18 +1,10 @@
 // SPDX-License-Identifier: MIT
 /// The fuzz targets, fed by their corpus and by a few thousand mutations of it, the same ones each time.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <cstdint>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <random>
-#include <string>
-#include <vector>
 
-#include "support/requirements.hpp"
+#include "support/testing.hpp"
 #include "target.hpp"
 
 namespace stickslip::testing {

@@ -10,7 +10,6 @@
 #include "stickslip/solver/beam_model.hpp"
 #include "stickslip/solver/modal_analysis.hpp"
 #include "studies/verification/contact_histories.hpp"
-#include "support/beams.hpp"
 #include "support/claims.hpp"
 #include "support/paper_case.hpp"
 #include "support/testing.hpp"

@@ -5,7 +5,6 @@
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/data/paper.hpp"
 #include "studies/analyses/length_force_map.hpp"
-#include "support/beams.hpp"
 #include "support/claims.hpp"
 #include "support/paper_case.hpp"
 #include "support/testing.hpp"

@@ -10,7 +10,6 @@
 #include "stickslip/solver/beam_model.hpp"
 #include "studies/verification/energy_audit.hpp"
 #include "studies/verification/frequencies.hpp"
-#include "support/beams.hpp"
 #include "support/claims.hpp"
 #include "support/paper_case.hpp"
 #include "support/testing.hpp"

@@ -5,7 +5,6 @@
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/data/paper.hpp"
 #include "studies/verification/contact_histories.hpp"
-#include "support/beams.hpp"
 #include "support/claims.hpp"
 #include "support/paper_case.hpp"
 #include "support/testing.hpp"

@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: MIT
 /// The paper's printed numbers, verdicts and errata, and the figures that the ledger of claims refers to.
 
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-
-#include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/data/paper.hpp"
+#include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "stickslip/solver/modal_analysis.hpp"
 #include "studies/verification/paper_checks.hpp"
 #include "studies/verification/stick_sum.hpp"
-#include "support/beams.hpp"
 #include "support/claims.hpp"
 #include "support/paper_case.hpp"
 #include "support/testing.hpp"

@@ -2,17 +2,8 @@
 /// Tables of the figures' data, and those of the results of studies.
 
 #include "render/csv_table.hpp"
-
-#include <gtest/gtest.h>
-
-#include <numbers>
-#include <optional>
-#include <stdexcept>
-#include <string>
-#include <vector>
-
 #include "render/study_table.hpp"
-#include "support/requirements.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip {
 namespace {

@@ -2,22 +2,14 @@
 /// Files of the report appear whole or not at all, and what is asked for is known before anything is
 /// computed.
 
-#include <gtest/gtest.h>
 #include <unistd.h>
-
-#include <algorithm>
-#include <cstdlib>
-#include <filesystem>
-#include <iterator>
-#include <string>
 
 #include "render/drawing.hpp"
 #include "render/output_folder.hpp"
 #include "render/report.hpp"
 #include "stickslip/data/atomic_file.hpp"
 #include "stickslip/data/case_file.hpp"
-#include "support/error_message.hpp"
-#include "support/requirements.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip {
 namespace {

@@ -2,13 +2,8 @@
 /// Each test serves a known requirement, and comparisons are recorded for the report.
 
 #include <gtest/gtest-spi.h>
-#include <gtest/gtest.h>
 
-#include <cmath>
-#include <set>
-#include <string>
-
-#include "support/requirements.hpp"
+#include "support/testing.hpp"
 #include "support/trace.hpp"
 
 namespace stickslip::testing {

@@ -2,17 +2,10 @@
 /// LaTeX that is missing, or cannot typeset the report: a sentence that says so, and every file that was
 /// there.
 
-#include <gtest/gtest.h>
-
-#include <filesystem>
-#include <stdexcept>
-#include <string>
-
 #include "render/document.hpp"
 #include "render/output_folder.hpp"
 #include "support/command_line.hpp"
-#include "support/error_message.hpp"
-#include "support/requirements.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {

@@ -1,18 +1,11 @@
 // SPDX-License-Identifier: MIT
 /// The whole report where LaTeX is missing, and where a signal ends it while LaTeX is at work.
 
-#include <gtest/gtest.h>
 #include <signal.h>
 
-#include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <string>
-#include <vector>
-
 #include "render/report.hpp"
-#include "support/requirements.hpp"
 #include "support/signalled_run.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {

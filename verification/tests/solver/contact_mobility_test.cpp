@@ -1,22 +1,13 @@
 // SPDX-License-Identifier: MIT
 /// The driving-point mobility of a contact, against dense inverses and against steps of generalised-alpha.
 
-#include <gtest/gtest.h>
-
 #include <Eigen/Dense>
-#include <cmath>
-#include <complex>
-#include <stdexcept>
-#include <vector>
 
 #include "stickslip/solver/beam_simulation.hpp"
 #include "stickslip/solver/contact_mobility.hpp"
 #include "stickslip/solver/generalized_alpha.hpp"
-#include "support/beams.hpp"
 #include "support/contact_models.hpp"
-#include "support/parameter_name.hpp"
-#include "support/requirements.hpp"
-#include "support/tolerance.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {

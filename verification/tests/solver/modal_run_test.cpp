@@ -1,22 +1,13 @@
 // SPDX-License-Identifier: MIT
 /// The fast runs in the modes of the mesh against the plain ones: the same numbers, up to rounding.
 
-#include <gtest/gtest.h>
-
 #include <Eigen/Core>
-#include <algorithm>
-#include <cmath>
-#include <stdexcept>
-#include <string>
-#include <vector>
 
 #include "stickslip/solver/beam_simulation.hpp"
 #include "stickslip/solver/held_tip_basis.hpp"
 #include "stickslip/solver/modal_stick_run.hpp"
-#include "support/beams.hpp"
-#include "support/error_message.hpp"
-#include "support/requirements.hpp"
-#include "support/tolerance.hpp"
+#include "studies/common/convergence.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {
@@ -28,10 +19,6 @@ using solver::HeldTipBasis;
 using solver::InitialVelocity;
 using solver::ModalStickRun;
 using solver::TipContact;
-
-data::HarmonicExcitation shaking(double hz, double amplitude) {
-  return data::HarmonicExcitation({.frequency_hz = hz, .amplitude = amplitude});
-}
 
 data::NumericalSettings settings(int elements, double spectral_radius, double time_step = 1e-4) {
   auto choices = paper_choices(1.0);
@@ -49,14 +36,6 @@ double largest(const std::vector<double>& values) {
   double maximum = 0.0;
   for (const double value : values) maximum = std::max(maximum, std::abs(value));
   return maximum;
-}
-
-double largest_difference(const std::vector<double>& one, const std::vector<double>& other) {
-  EXPECT_EQ(one.size(), other.size());
-  double difference = 0.0;
-  for (std::size_t i = 0; i < std::min(one.size(), other.size()); ++i)
-    difference = largest_or_nan({difference, std::abs(one[i] - other[i])});
-  return difference;
 }
 
 // f and u(x) by the plain loop.
@@ -96,7 +75,7 @@ TEST(ModalStickRun, ReproducesTheNodalForce) {
         const History plain = plain_history(beam, excitation, numerics, velocity, 1.0, steps);
         const auto force = ModalStickRun(beam, excitation, numerics, velocity).friction_force(steps);
         ASSERT_EQ(force.size(), plain.force.size());
-        EXPECT_TRUE(within(largest_difference(force, plain.force), 0.0,
+        EXPECT_TRUE(within(studies::largest_difference(force, plain.force), 0.0,
                            rounding_of_the_plain_loop(beam, elements, plain, steps)))
             << "radius " << radius << ", " << elements << " elements, P = " << axial_force;
       }
@@ -111,8 +90,8 @@ TEST(ModalStickRun, ReproducesTheNodalDisplacement) {
     const auto displacement =
         ModalStickRun(paper_beam(), excitation, settings(20, 0.9), InitialVelocity::zero)
             .relative_displacement(x, steps);
-    EXPECT_TRUE(
-        within(largest_difference(displacement, plain.displacement), 0.0, round_off(steps, 10, 0.5e-3)))
+    EXPECT_TRUE(within(studies::largest_difference(displacement, plain.displacement), 0.0,
+                       round_off(steps, 10, 0.5e-3)))
         << x;
   }
 }

@@ -1,16 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// The two implementations share nothing but the problem statement.
 
-#include <gtest/gtest.h>
-
-#include <filesystem>
-#include <fstream>
-#include <sstream>
-#include <string>
-#include <string_view>
-#include <vector>
-
-#include "support/requirements.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {

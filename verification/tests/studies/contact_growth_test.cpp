@@ -10,7 +10,6 @@
 #include "studies/analyses/problem_warnings.hpp"
 #include "studies/history/history_convergence.hpp"
 #include "studies/history/method.hpp"
-#include "support/beams.hpp"
 #include "support/contact_models.hpp"
 #include "support/testing.hpp"
 

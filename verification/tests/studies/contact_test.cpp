@@ -7,7 +7,6 @@
 #include "studies/common/discretisation.hpp"
 #include "studies/verification/classification.hpp"
 #include "studies/verification/contact_histories.hpp"
-#include "support/beams.hpp"
 #include "support/testing.hpp"
 
 namespace stickslip::testing {

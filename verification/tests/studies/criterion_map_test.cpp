@@ -15,7 +15,6 @@
 #include "studies/common/discretisation.hpp"
 #include "studies/common/parallel.hpp"
 #include "studies/common/problem_parameter.hpp"
-#include "support/beams.hpp"
 #include "support/testing.hpp"
 
 namespace stickslip::testing {

@@ -8,7 +8,6 @@
 #include "stickslip/analytic/damped_steady_state.hpp"
 #include "stickslip/analytic/slip_modes.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
-#include "support/beams.hpp"
 #include "support/mesh.hpp"
 #include "support/order.hpp"
 #include "support/testing.hpp"
@@ -25,8 +24,6 @@ using Eigen::VectorXcd;
 
 constexpr double amplitude = Vibration::amplitude;
 constexpr Complex imaginary_unit(0.0, 1.0);
-
-data::Damping kelvin_voigt(double eta) { return data::Damping({.kelvin_voigt = eta}); }
 
 Amplitudes exact_amplitudes(const Vibration& v) {
   const analytic::DampedSteadyState solution = v.solution();

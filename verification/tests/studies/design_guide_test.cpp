@@ -5,8 +5,6 @@
 #include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/damped_reaction.hpp"
 #include "studies/analyses/length_force_map.hpp"
-#include "support/beams.hpp"
-#include "support/error_message.hpp"
 #include "support/testing.hpp"
 
 namespace stickslip::testing {

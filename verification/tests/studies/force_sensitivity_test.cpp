@@ -5,7 +5,6 @@
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "studies/common/convergence.hpp"
-#include "support/beams.hpp"
 #include "support/testing.hpp"
 
 namespace stickslip::testing {

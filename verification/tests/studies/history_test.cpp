@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: MIT
 /// Histories by all methods: their rows, events and estimated error, and what each method refuses.
 
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-
+#include "studies/history/history.hpp"
 #include "stickslip/analytic/beam_boundary_integral.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "studies/common/convergence.hpp"
-#include "studies/history/history.hpp"
 #include "studies/history/method.hpp"
-#include "support/error_message.hpp"
 #include "support/testing.hpp"
 
 namespace stickslip::testing {

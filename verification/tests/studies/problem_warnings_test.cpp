@@ -11,7 +11,6 @@
 #include "studies/common/discretisation.hpp"
 #include "studies/common/problem_parameter.hpp"
 #include "studies/history/method.hpp"
-#include "support/error_message.hpp"
 #include "support/testing.hpp"
 
 namespace stickslip::testing {

@@ -14,8 +14,6 @@
 #include "studies/common/problem_parameter.hpp"
 #include "studies/history/history_convergence.hpp"
 #include "studies/history/method.hpp"
-#include "support/beams.hpp"
-#include "support/error_message.hpp"
 #include "support/paper_case.hpp"
 #include "support/testing.hpp"
 #include "support/vibration.hpp"

@@ -8,7 +8,6 @@
 #include "stickslip/solver/energy_balance.hpp"
 #include "studies/history/history_convergence.hpp"
 #include "studies/verification/finite_element_contact_model.hpp"
-#include "support/beams.hpp"
 #include "support/damped_benchmark.hpp"
 #include "support/order.hpp"
 #include "support/published_data.hpp"

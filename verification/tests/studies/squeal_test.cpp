@@ -2,7 +2,6 @@
 /// Steady sliding on a wall that moves, and what follows from rest, by both implementations.
 
 #include "studies/analyses/squeal.hpp"
-
 #include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/analytic/free_mode_run.hpp"
 #include "stickslip/analytic/slip_modes.hpp"
@@ -12,7 +11,6 @@
 #include "stickslip/solver/beam_simulation.hpp"
 #include "stickslip/solver/contact_mobility.hpp"
 #include "stickslip/solver/sliding_stability.hpp"
-#include "support/beams.hpp"
 #include "support/contact_models.hpp"
 #include "support/testing.hpp"
 

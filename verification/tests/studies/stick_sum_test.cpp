@@ -11,7 +11,7 @@ using analytic::Sinusoid;
 using studies::StickReading;
 using studies::StickSum;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // One mode, every factor another number.
 StickSum one_mode() {

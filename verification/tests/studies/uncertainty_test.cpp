@@ -3,16 +3,12 @@
 
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_randist.h>
-
-#include <numeric>
 #include <span>
 
 #include "stickslip/analytic/damped_reaction.hpp"
 #include "studies/analyses/design_guide.hpp"
 #include "studies/analyses/slip_probability.hpp"
 #include "studies/common/parallel.hpp"
-#include "support/beams.hpp"
-#include "support/error_message.hpp"
 #include "support/testing.hpp"
 
 namespace stickslip::testing {
@@ -246,13 +242,7 @@ TEST(JointDistribution, HasTheCorrelationThatIsAskedFor) {
   EXPECT_EQ(studies::independent_point(1, 6, 2), (std::vector{0x1.46251c43c5a90p-6, 0x1.6c19e9e91a144p-1}));
 }
 
-data::Case problem(double hz = 35.0) {
-  return {.name = "paper",
-          .beam = paper_beam(),
-          .friction = paper_friction(),
-          .excitation = data::HarmonicExcitation({hz, 0.5e-3}),
-          .numerics = data::NumericalSettings(paper_choices(10.0))};
-}
+data::Case problem(double hz = 35.0) { return paper_problem(hz, 0.5e-3, 10.0); }
 
 double force_per_metre(const data::Case& of) {
   return analytic::largest_unit_force(of.beam, of.damping, of.excitation.frequency_hz(), 10.0, 10).midpoint();

@@ -40,6 +40,13 @@ inline double rigidity(const data::Beam& beam) {
   return beam.youngs_modulus() * beam.second_moment_of_area();
 }
 
+/// A base that moves with 0.5 mm, as in most figures of the paper, or another amplitude, m.
+inline data::HarmonicExcitation shaking(double frequency_hz, double amplitude = 0.5e-3) {
+  return data::HarmonicExcitation({.frequency_hz = frequency_hz, .amplitude = amplitude});
+}
+
+inline data::Damping kelvin_voigt(double eta) { return data::Damping({.kelvin_voigt = eta}); }
+
 inline data::FrictionLaw paper_friction() {
   return data::FrictionLaw({.static_coefficient = 0.6, .kinetic_coefficient = 0.3, .decay = 1.0});
 }
@@ -66,13 +73,13 @@ inline data::Case paper_problem(double frequency_hz, double amplitude, double du
   return {.name = "paper",
           .beam = paper_beam(),
           .friction = paper_friction(),
-          .excitation = data::HarmonicExcitation({.frequency_hz = frequency_hz, .amplitude = amplitude}),
+          .excitation = shaking(frequency_hz, amplitude),
           .numerics = data::NumericalSettings(paper_choices(duration))};
 }
 
 /// Kelvin-Voigt damping of 0.5 % of critical in mode 1 of the paper's beam. With it the changes of contact
 /// converge on the mesh; undamped, only the motion has a limit.
-inline data::Damping light_damping() { return data::Damping({.kelvin_voigt = 6.4e-5}); }
+inline data::Damping light_damping() { return kelvin_voigt(6.4e-5); }
 
 /// The paper's problem with light damping, at 1 mm, for 0.5 s.
 inline data::Case damped_problem(double frequency_hz) {

@@ -11,6 +11,7 @@
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/data/paper.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
+#include "support/beams.hpp"
 
 namespace stickslip::testing {
 
@@ -19,9 +20,7 @@ inline const data::Case& paper() {
   return instance;
 }
 
-inline data::HarmonicExcitation excitation(double hz, double amplitude) {
-  return data::HarmonicExcitation({.frequency_hz = hz, .amplitude = amplitude});
-}
+inline data::HarmonicExcitation excitation(double hz, double amplitude) { return shaking(hz, amplitude); }
 
 inline double length() { return paper().beam.length(); }
 inline double axial_force() { return paper().beam.axial_force(); }
