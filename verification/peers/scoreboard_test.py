@@ -90,10 +90,10 @@ class EngineProblems(unittest.TestCase):
 class Verdict(unittest.TestCase):
     def test_is_that_of_the_best_step_within_the_patience(self):
         errors = {0.01: 3e-3, 0.0025: 1e-3, 0.000625: 2e-3}
-        with mock.patch.object(peers, "drive", lambda peer, run, problem: (0.01 / float(run["arguments"][0]) / 8, run["arguments"][0])), \
+        with mock.patch.object(peers, "start_up", lambda peer: 0.1), mock.patch.object(peers, "drive", lambda peer, run, problem: (0.1 + 0.01 / float(run["arguments"][0]) / 8, run["arguments"][0])), \
                 mock.patch.object(peers, "judge", lambda problem, step: {"error": f"{errors[float(step)]} m"}):
             best = peers.best_of_ladder({}, {"ladder": 0.01}, "sdnd100")
-        self.assertEqual(best, {"error": "0.001 m", "note": "step 0.0025 s", "seconds": 0.5})
+        self.assertEqual(best, {"error": "0.001 m", "note": "step 0.0025 s", "seconds": 0.6})
 
     def test_is_that_it_differs_where_the_run_diverges(self):
         with tempfile.TemporaryDirectory() as name:
