@@ -2,7 +2,7 @@
 # Error over tolerance of each code (rows) in each problem (columns): usual settings on the left, the best on the right. White: no
 # driver. Grey: the code cannot do the problem, or did not end.
 width = 16
-height = 12
+height = 13
 load 'style.gp'
 file = folder.'scoreboard.csv'
 set tics out nomirror
@@ -17,9 +17,9 @@ set cblabel 'error / tolerance'
 set multiplot
 do for [panel = 0:1] {
   set title (panel ? 'best' : 'usual settings')
-  set lmargin at screen (panel ? 0.54 : 0.165)
-  set rmargin at screen (panel ? 0.875 : 0.5)
-  set bmargin at screen 0.32
+  set lmargin at screen (panel ? 0.555 : 0.2)
+  set rmargin at screen (panel ? 0.875 : 0.52)
+  set bmargin at screen 0.37
   set tmargin at screen 0.94
   if (panel) { unset ytics; set colorbox } else { unset colorbox }
   cannot = "file using ($5 == 1 ? $3 : NaN):4:(0.45):(0.45) with boxxyerror fillstyle solid linecolor rgb '#BBBBBB'"
