@@ -9,7 +9,6 @@
 #include "arguments.hpp"
 #include "beam_constants.hpp"
 #include "gsl_handles.hpp"
-#include "gsl_status.hpp"
 #include "special_functions.hpp"
 #include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/analytic/event_driven.hpp"

@@ -8,9 +8,7 @@
 #include <numeric>
 
 #include "beam_constants.hpp"
-#include "gauss_points.hpp"
 #include "gsl_handles.hpp"
-#include "gsl_status.hpp"
 
 namespace stickslip::analytic {
 namespace {

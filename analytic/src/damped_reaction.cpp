@@ -149,7 +149,7 @@ void DampedForce::add(Jet& sum, const Beat& beat, double t) const {
   sum.curvature += (beat.exponent * slope + beat.pole * forcing).real();
 }
 
-DampedForce::Jet DampedForce::jet(double t) const {
+Jet DampedForce::jet(double t) const {
   Jet sum;
   for (const Term& term : terms_) add(sum, term, t);
   for (const Beat& beat : beats_) add(sum, beat, t);

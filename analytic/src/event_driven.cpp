@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "arguments.hpp"
-#include "gauss_points.hpp"
+#include "gsl_handles.hpp"
 #include "slip_integrator.hpp"
 
 namespace stickslip::analytic {

@@ -101,7 +101,7 @@ double ForceMaximum::beats(double t) const {
   return sum;
 }
 
-ForceMaximum::Jet ForceMaximum::jet(double t, std::size_t terms) const {
+Jet ForceMaximum::jet(double t, std::size_t terms) const {
   Jet sum;
   for (const Beat& beat : beats_) {
     const double sigma = beat.mean, delta = beat.detuning;

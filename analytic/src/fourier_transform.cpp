@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "fourier_transform.hpp"
 
+#include <algorithm>
+#include <complex>
 #include <mutex>
 #include <new>
 
+#include "arguments.hpp"
+#include "stickslip/analytic/amplitude_spectrum.hpp"
+
 namespace stickslip::analytic {
+
 namespace {
 
 /// FFTW makes and destroys plans on one thread at a time.
@@ -37,6 +43,19 @@ FourierTransform::~FourierTransform() {
   fftw_destroy_plan(backward_);
   fftw_free(values_);
   fftw_free(spectrum_);
+}
+
+std::vector<double> amplitude_spectrum(const std::vector<double>& values) {
+  if (values.empty()) throw wrong_argument("the size of values", 0.0, "1 or more");
+  FourierTransform transform(values.size());
+  std::ranges::copy(values, transform.values().begin());
+  transform.forward();
+  std::vector<double> amplitudes;
+  for (const std::complex<double> value : transform.spectrum())
+    amplitudes.push_back(2.0 * std::abs(value) / static_cast<double>(values.size()));
+  amplitudes.front() *= 0.5;
+  if (values.size() % 2 == 0) amplitudes.back() *= 0.5;
+  return amplitudes;
 }
 
 }  // namespace stickslip::analytic

@@ -8,7 +8,7 @@
 
 #include "arguments.hpp"
 #include "beam_constants.hpp"
-#include "gauss_points.hpp"
+#include "gsl_handles.hpp"
 #include "special_functions.hpp"
 #include "stickslip/analytic/slip_modes.hpp"
 

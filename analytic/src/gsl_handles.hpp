@@ -4,6 +4,7 @@
 /// Owners of GSL's handles, and matrices for GSL.
 
 #include <gsl/gsl_eigen.h>
+#include <gsl/gsl_errno.h>
 #include <gsl/gsl_integration.h>
 #include <gsl/gsl_matrix.h>
 #include <gsl/gsl_min.h>
@@ -14,11 +15,43 @@
 #include <gsl/gsl_vector.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <memory>
+#include <mutex>
+#include <stdexcept>
+#include <string>
 
 #include "stickslip/analytic/contact_model.hpp"
 
 namespace stickslip::analytic {
+
+// GSL's status codes as exceptions.
+
+/// Turns off GSL's aborting error handler while at least one instance lives, in whatever thread, and then
+/// puts back the handler that was there before the first.
+class StatusInsteadOfAbort {
+ public:
+  StatusInsteadOfAbort() {
+    const std::lock_guard lock(mutex_);
+    if (instances_++ == 0) previous_ = gsl_set_error_handler_off();
+  }
+  ~StatusInsteadOfAbort() {
+    const std::lock_guard lock(mutex_);
+    if (--instances_ == 0) gsl_set_error_handler(previous_);
+  }
+  StatusInsteadOfAbort(const StatusInsteadOfAbort&) = delete;
+  StatusInsteadOfAbort& operator=(const StatusInsteadOfAbort&) = delete;
+
+ private:
+  static inline std::mutex mutex_;
+  static inline int instances_ = 0;
+  static inline gsl_error_handler_t* previous_ = nullptr;
+};
+
+/// Throws std::runtime_error, "<where>: <GSL's reason>.", unless status is success.
+inline void require_success(int status, const std::string& where) {
+  if (status != GSL_SUCCESS) throw std::runtime_error(where + ": " + gsl_strerror(status) + ".");
+}
 
 struct ReleaseHandle {
   void operator()(gsl_matrix* handle) const { gsl_matrix_free(handle); }
@@ -51,6 +84,22 @@ template <class Handle>
   auto result = owned(gsl_matrix_alloc(matrix.rows(), matrix.columns()));
   std::ranges::copy(matrix.values(), result->data);
   return result;
+}
+
+/// Calls f(x, weight) at the 16 Gauss-Legendre points of each of `panels` equal parts of from ... to.
+template <class Function>
+void for_each_gauss_point(double from, double to, std::size_t panels, const Function& f) {
+  constexpr std::size_t points = 16;
+  const auto table = owned(gsl_integration_glfixed_table_alloc(points));
+  const double width = (to - from) / static_cast<double>(panels);
+  for (std::size_t panel = 0; panel < panels; ++panel) {
+    const double left = from + width * static_cast<double>(panel);
+    for (std::size_t i = 0; i < points; ++i) {
+      double x = 0.0, weight = 0.0;
+      gsl_integration_glfixed_point(left, left + width, i, &x, &weight, table.get());
+      f(x, weight);
+    }
+  }
 }
 
 }  // namespace stickslip::analytic

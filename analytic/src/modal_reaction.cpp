@@ -1,11 +1,77 @@
 // SPDX-License-Identifier: MIT
 #include "stickslip/analytic/modal_reaction.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+
+#include "arguments.hpp"
 #include "beam_constants.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/analytic/timoshenko_modes.hpp"
 
 namespace stickslip::analytic {
+
+namespace {
+
+using Functions = std::vector<double>;
+
+/// 1/(L³ S'''(L)), then Ω_n² and Ω_n² c_n L³/EI by mode, from the beam with L = EI = ρ A = 1.
+Functions tabulated_functions(double load_factor, double axial_direction, int modes) {
+  const data::Beam beam({.length = 1.0,
+                         .area = 1.0,
+                         .second_moment_of_area = 1.0,
+                         .density = 1.0,
+                         .youngs_modulus = 1.0,
+                         .axial_force = load_factor,
+                         .axial_direction = axial_direction});
+  Functions values{1.0 / QuasiStaticShape(beam).third_derivative(1.0)};
+  for (const ModalForce& mode : modal_forces(beam, modes)) {
+    const double squared = mode.angular_frequency * mode.angular_frequency;
+    values.push_back(squared);
+    values.push_back(squared * mode.coefficient);
+  }
+  return values;
+}
+
+/// Chebyshev coefficients by degree of the interpolant in `count` points of the first kind on [lowest,
+/// highest].
+std::vector<Functions> interpolant(double lowest, double highest, double axial_direction, int modes,
+                                   std::size_t count) {
+  std::vector<Functions> samples;
+  const auto angle = [count](std::size_t j) {
+    return std::numbers::pi * (static_cast<double>(j) + 0.5) / static_cast<double>(count);
+  };
+  for (std::size_t j = 0; j < count; ++j)
+    samples.push_back(tabulated_functions(std::lerp(lowest, highest, 0.5 + 0.5 * std::cos(angle(j))),
+                                          axial_direction, modes));
+  std::vector<Functions> coefficients(count, Functions(samples.front().size(), 0.0));
+  for (std::size_t k = 0; k < count; ++k)
+    for (std::size_t j = 0; j < count; ++j) {
+      const double weight =
+          (k == 0 ? 1.0 : 2.0) / static_cast<double>(count) * std::cos(static_cast<double>(k) * angle(j));
+      for (std::size_t f = 0; f < samples[j].size(); ++f) coefficients[k][f] += weight * samples[j][f];
+    }
+  return coefficients;
+}
+
+/// Whether the last two coefficients of each function are rounding.
+bool ends_in_rounding(const std::vector<Functions>& coefficients) {
+  constexpr double rounding = 64.0 * std::numeric_limits<double>::epsilon();
+  const std::size_t degrees = coefficients.size();
+  for (std::size_t f = 0; f < coefficients.front().size(); ++f) {
+    double largest = 0.0;
+    for (const Functions& of_degree : coefficients) largest = std::max(largest, std::abs(of_degree[f]));
+    if (std::abs(coefficients[degrees - 1][f]) + std::abs(coefficients[degrees - 2][f]) > rounding * largest)
+      return false;
+  }
+  return true;
+}
+
+}  // namespace
 
 std::vector<ModalForce> modal_forces(const data::Beam& beam, int modes) {
   if (beam.shear_stiffness() > 0.0) return timoshenko_reaction(beam, modes).modes;
@@ -18,6 +84,61 @@ std::vector<ModalForce> modal_forces(const data::Beam& beam, int modes) {
 ModalReaction modal_reaction(const data::Beam& beam, int modes) {
   if (beam.shear_stiffness() > 0.0) return timoshenko_reaction(beam, modes);
   return {.quasi_static = tip_reaction(beam, QuasiStaticShape(beam)), .modes = modal_forces(beam, modes)};
+}
+
+ModalReactionTable::ModalReactionTable(double lowest_load_factor, double highest_load_factor, int modes,
+                                       double axial_direction)
+    : lowest_(lowest_load_factor), highest_(highest_load_factor), axial_direction_(axial_direction) {
+  if (!(lowest_ >= 0.0 && lowest_ <= highest_))
+    throw wrong_argument("the lowest load factor", lowest_,
+                         "at least 0 and at most the highest, " + data::shortest_text(highest_));
+  for (std::size_t count = 8; count <= 128; count *= 2) {
+    coefficients_ = interpolant(lowest_, highest_, axial_direction_, modes, count);
+    if (ends_in_rounding(coefficients_)) return;
+  }
+  throw std::runtime_error("the modes as functions of the load factor did not converge");
+}
+
+// Clenshaw's recurrence, for all functions at once.
+std::vector<double> ModalReactionTable::functions_at(double load_factor) const {
+  const double width = highest_ - lowest_;
+  const double x = width > 0.0 ? (2.0 * load_factor - lowest_ - highest_) / width : 0.0;
+  const std::size_t count = coefficients_.front().size();
+  Functions next(count, 0.0), after(count, 0.0);
+  for (std::size_t k = coefficients_.size() - 1; k > 0; --k) {
+    for (std::size_t f = 0; f < count; ++f) after[f] = coefficients_[k][f] + 2.0 * x * next[f] - after[f];
+    next.swap(after);
+  }
+  for (std::size_t f = 0; f < count; ++f) after[f] = coefficients_[0][f] + x * next[f] - after[f];
+  return after;
+}
+
+bool ModalReactionTable::holds(const data::Beam& beam) const {
+  const double z = axial_load_factor(beam);
+  return z >= lowest_ && z <= highest_ && beam.axial_direction() == axial_direction_ &&
+         beam.shear_stiffness() == 0.0;
+}
+
+ModalReaction ModalReactionTable::at(const data::Beam& beam) const {
+  const double z = axial_load_factor(beam);
+  if (!holds(beam))
+    throw wrong_argument("the load factor P L^2/EI", z,
+                         "in the range of the table, " + data::shortest_text(lowest_) + " ... " +
+                             data::shortest_text(highest_) + ", at its axial_direction, " +
+                             data::shortest_text(axial_direction_));
+  const Functions values = functions_at(z);
+  const double length = beam.length();
+  const double stiffness = bending_stiffness(beam) / (length * length * length);  // EI/L³
+  const double frequency = std::sqrt(stiffness / (mass_per_length(beam) * length));
+  const double slope_share =
+      1.0 - axial_direction_ * (1.0 - std::cos(std::sqrt(z)));  // S''' + χ p S' over S'''
+  ModalReaction reaction{.quasi_static = stiffness / values[0] * slope_share, .modes = {}};
+  reaction.modes.reserve(values.size() / 2);
+  for (std::size_t n = 0; n < values.size() / 2; ++n) {
+    const double squared = values[1 + 2 * n];
+    reaction.modes.push_back({frequency * std::sqrt(squared), stiffness * values[2 + 2 * n] / squared});
+  }
+  return reaction;
 }
 
 }  // namespace stickslip::analytic

@@ -8,7 +8,6 @@
 
 #include "arguments.hpp"
 #include "gsl_handles.hpp"
-#include "gsl_status.hpp"
 
 namespace stickslip::analytic {
 namespace {

@@ -9,7 +9,6 @@
 #include <limits>
 
 #include "gsl_handles.hpp"
-#include "gsl_status.hpp"
 
 namespace stickslip::analytic {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "arguments.hpp"
 #include "friction_in_slip.hpp"
-#include "gsl_status.hpp"
+#include "gsl_handles.hpp"
 #include "root_finding.hpp"
 
 namespace stickslip::analytic {

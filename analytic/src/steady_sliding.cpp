@@ -12,7 +12,6 @@
 #include "beam_constants.hpp"
 #include "friction_in_slip.hpp"
 #include "gsl_handles.hpp"
-#include "gsl_status.hpp"
 #include "separated_system.hpp"
 #include "special_functions.hpp"
 #include "stickslip/analytic/contact_dynamics.hpp"

@@ -2,43 +2,16 @@
 #include "case_entry.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <utility>
 
+#include "stickslip/data/csv_text.hpp"
 #include "stickslip/data/input_error.hpp"
 #include "stickslip/data/input_text.hpp"
 #include "stickslip/data/units.hpp"
 
 namespace stickslip::data {
-
-namespace {
-
-struct Quantity {
-  double value{};
-  Unit unit;
-};
-
-// "1.5 mm" or "1.5mm": a number and a unit that is known.
-std::optional<Quantity> quantity_of(std::string_view text) {
-  text = trimmed(text);
-  Quantity quantity;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), quantity.value);
-  if (error != std::errc{}) return std::nullopt;
-  const auto unit = unit_named(trimmed(text.substr(static_cast<std::size_t>(end - text.data()))));
-  if (!unit) return std::nullopt;
-  quantity.unit = *unit;
-  return quantity;
-}
-
-std::string allowed_number(std::string_view unit) {
-  if (unit.empty()) return "a number";
-  return "a number (" + std::string(unit) +
-         ") or a text of a number and a unit: " + units_convertible_to(unit);
-}
-
-}  // namespace
 
 Entry entry_of(const toml::node& node, std::string place) {
   Entry entry{{}, describe(node), std::move(place)};
@@ -55,16 +28,19 @@ Entry entry_of(const std::string& text, const std::string& place) {
     const toml::table parsed = toml::parse("value = " + text);
     return entry_of(*parsed.get("value"), place);
   } catch (const toml::parse_error&) {
+    if (const auto number = finite_number(text)) return {*number, text, place};  // .5
     return {text, printable(text), place};  // a shell takes the quotes of "1.5 mm" away
   }
 }
 
 std::string name_of(std::string_view path, const Entry& entry, const std::vector<std::string>& names) {
   const auto* text = std::get_if<std::string>(&entry.value);
-  if (text == nullptr || std::ranges::find(names, *text) == names.end())
-    throw FieldError(path, entry.description + (text == nullptr ? "" : suggestion(*text, names)),
-                     "one of " + joined(names));
-  return *text;
+  std::string name = text == nullptr ? "" : *text;
+  std::ranges::transform(name, name.begin(),
+                         [](char c) { return 'A' <= c && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+  if (std::ranges::find(names, name) == names.end())
+    throw FieldError(path, entry.description + suggestion(name, names), "one of " + joined(names));
+  return name;
 }
 
 void require_magnitude(std::string_view path, const Magnitudes& magnitudes, double value) {
@@ -84,10 +60,11 @@ double number_of(std::string_view path, const Magnitudes& magnitudes, const Entr
     number = static_cast<double>(*integer);
   } else {
     const auto* text = std::get_if<std::string>(&entry.value);
-    const auto quantity = text == nullptr ? std::nullopt : quantity_of(*text);
-    if (!quantity || quantity->unit.si != magnitudes.unit)
-      throw FieldError(path, entry.description, allowed_number(magnitudes.unit));
-    number = quantity->unit.to_si(quantity->value);
+    const auto quantity = text == nullptr ? std::nullopt : quantity_in(*text, magnitudes.unit, false);
+    if (!quantity)
+      throw FieldError(path, entry.description,
+                       quantity_allowed(text == nullptr ? "" : *text, magnitudes.unit));
+    number = *quantity;
   }
   require_magnitude(path, magnitudes, number);
   return number;

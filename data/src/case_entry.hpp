@@ -33,7 +33,7 @@ using Entries = std::map<std::string, Entry>;  // by "table.key"
 /// beginning with the place, if it has several lines.
 [[nodiscard]] Entry entry_of(const std::string& text, const std::string& place);
 
-/// The text. Throws FieldError unless it is one of the names.
+/// The text in small letters. Throws FieldError unless it is one of the names.
 [[nodiscard]] std::string name_of(std::string_view path, const Entry& entry,
                                   const std::vector<std::string>& names);
 

@@ -2,15 +2,18 @@
 #include "stickslip/data/case_file.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <fstream>
+#include <functional>
+#include <numbers>
+#include <set>
 #include <system_error>
 #include <utility>
 
 #include "case_entry.hpp"
-#include "stickslip/data/default_numerics.hpp"
-#include "stickslip/data/installation.hpp"
+#include "stickslip/data/mistakes.hpp"
 #include "stickslip/data/toml_file.hpp"
-#include "stickslip/data/toml_record.hpp"
 
 namespace stickslip::data {
 
@@ -58,14 +61,15 @@ void require_known_key(const std::string& path, const Entry& entry) {
   if (std::ranges::find(known, path) == known.end()) throw_unknown_key(entry.place, path, entry.description);
 }
 
-void collect_table(const std::filesystem::path& file, std::string_view name, const toml::table& table,
-                   Entries& entries) {
-  for (const auto& [key, value] : table) {
-    const std::string path = std::string(name) + "." + std::string(key.str());
-    Entry entry = entry_of(value, place_of(file, value));
-    require_known_key(path, entry);
-    entries.insert_or_assign(path, std::move(entry));
-  }
+void collect_table(const std::filesystem::path& file, const std::string& name, const toml::table& table,
+                   Entries& entries, Mistakes& mistakes) {
+  for (const auto& [key, value] : table)
+    mistakes.collect([&, &key = key, &value = value] {
+      const std::string path = name + "." + std::string(key.str());
+      Entry entry = entry_of(value, place_of(file, value));
+      require_known_key(path, entry);
+      entries.insert_or_assign(path, std::move(entry));
+    });
 }
 
 Uncertainty uncertainty_in(const std::filesystem::path& file, const toml::table& document) {
@@ -82,23 +86,24 @@ Entries means_in(const std::filesystem::path& file, const toml::table& document)
   return means;
 }
 
-Entries entries_of(const std::filesystem::path& file, const toml::table& document) {
+Entries entries_of(const std::filesystem::path& file, const toml::table& document, Mistakes& mistakes) {
   Entries entries;
   const auto tables = table_names();
-  for (const auto& [key, value] : document) {
-    const std::string name(key.str());
-    if (name == "uncertainty") continue;
+  const auto take = [&](const std::string& name, const toml::node& value) {
     const std::string place = place_of(file, value);
     const bool is_known = std::ranges::find(tables, name) != tables.end();
     if (const auto* table = value.as_table()) {
       if (!is_known) throw_unknown_table(place, name);
-      collect_table(file, name, *table, entries);
+      collect_table(file, name, *table, entries, mistakes);
     } else if (is_known) {
       throw InputError(place + ": " + name + " is " + describe(value) + ", but must be a table");
     } else {
       throw_unknown_key(place, name, describe(value));
     }
-  }
+  };
+  for (const auto& [key, value] : document)
+    if (key.str() != "uncertainty")
+      mistakes.collect([&, &key = key, &value = value] { take(std::string(key.str()), value); });
   return entries;
 }
 
@@ -121,41 +126,97 @@ std::string alternative_to(const Key& key) {
   return "";
 }
 
-void fill(const std::filesystem::path& file, const Entries& entries, bool numerics, CaseNumbers& numbers) {
-  for (const Key& key : case_keys()) {
-    if (key.presence == Presence::shorthand || (key.table() == "numerics") != numerics) continue;
-    const std::string path(key.path);
-    const auto found = entries.find(path);
-    if (found != entries.end())
-      key.member.set(numbers, key.member.is_integer ? integer_of(path, found->second)
-                                                    : number_of(path, key.magnitudes, found->second));
-    else if (key.presence == Presence::required)
-      throw InputError(file.string() + ": " + path + " is missing, but a case must hold it" +
-                       alternative_to(key));
+// Reads the numbers of a case, going on after a mistake with a number that is allowed.
+class NumbersReader {
+ public:
+  NumbersReader(std::filesystem::path file, Entries entries, Mistakes& mistakes)
+      : file_(std::move(file)), entries_(std::move(entries)), mistakes_(mistakes) {
+    collect([&] { expand_shorthand(entries_); });
+    misses_keys_ = !mistakes_.any();  // else what is missing may have been meant
   }
-}
 
-// The settings last, as their defaults follow from the rest.
-CaseNumbers numbers_in(const std::filesystem::path& file, const Entries& entries) {
-  CaseNumbers numbers;
-  numbers.numerics.duration = default_duration;
-  fill(file, entries, false, numbers);
-  numbers.numerics =
-      default_numerics(Beam(numbers.beam), HarmonicExcitation(numbers.excitation), numbers.numerics.duration);
-  fill(file, entries, true, numbers);
-  return numbers;
-}
+  // The settings last, as their defaults follow from the rest.
+  [[nodiscard]] Case read() {
+    numbers_.numerics.duration = default_duration;
+    fill(false);
+    while (collect([&] {
+      (void)Beam(numbers_.beam), (void)FrictionLaw(numbers_.friction),
+          (void)HarmonicExcitation(numbers_.excitation);
+      (void)Damping(numbers_.damping), (void)TangentialContact(numbers_.contact), (void)Wall(numbers_.wall);
+    })) {
+    }
+    if (!mistakes_.any())
+      numbers_.numerics = default_numerics(Beam(numbers_.beam), HarmonicExcitation(numbers_.excitation),
+                                           numbers_.numerics.duration);
+    fill(true);
+    mistakes_.throw_if_any();
+    collect([&] { (void)case_of(file_.stem().string(), numbers_); });
+    mistakes_.throw_if_any();
+    return case_of(file_.stem().string(), numbers_);
+  }
 
-// What is missing has its mean, unless a shorthand stands for it.
-Case case_of(const std::filesystem::path& file, Entries entries, Entries means) {
-  try {
+ private:
+  // Whether there was a mistake in a number that then has another value.
+  bool collect(const std::function<void()>& work) {
+    bool is_mended = false;
+    mistakes_.collect(work, [&](const FieldError& error) {
+      const auto key = std::ranges::find(case_keys(), error.field(), &Key::path);
+      is_mended =
+          mended_.insert(error.field()).second && key != case_keys().end() && key->member.set != nullptr;
+      if (is_mended) key->member.set(numbers_, key->axis.may_be_zero ? 0.0 : 1.0);
+      if (error.field() == "friction.static_coefficient")
+        numbers_.friction.kinetic_coefficient = 0.0;  // its bound
+      const auto given = entries_.find(error.field());
+      return given == entries_.end() ? file_.string() : given->second.place;
+    });
+    return is_mended;
+  }
+
+  void fill(bool numerics) {
+    for (const Key& key : case_keys()) {
+      if (key.presence == Presence::shorthand || (key.table() == "numerics") != numerics) continue;
+      const std::string path(key.path);
+      const auto found = entries_.find(path);
+      if (mended_.contains(path)) continue;
+      if (found != entries_.end())
+        collect([&] {
+          key.member.set(numbers_, key.member.is_integer ? integer_of(path, found->second)
+                                                         : number_of(path, key.magnitudes, found->second));
+        });
+      else if (key.presence == Presence::required) {
+        key.member.set(numbers_, key.axis.may_be_zero ? 0.0 : 1.0);
+        const bool is_implied =
+            path == "excitation.amplitude" && (entries_.contains("excitation.velocity_amplitude") ||
+                                               entries_.contains("excitation.acceleration_amplitude"));
+        if (misses_keys_ && !is_implied)
+          collect([&] {
+            throw InputError(file_.string() + ": " + path + " is missing, but a case must hold it" +
+                             alternative_to(key));
+          });
+      }
+    }
+  }
+
+  std::filesystem::path file_;
+  Entries entries_;
+  Mistakes& mistakes_;
+  CaseNumbers numbers_;
+  std::set<std::string> mended_;
+  bool misses_keys_{};
+};
+
+// What the document says, and instead of it the overrides. What is missing has the mean of its distribution, unless a
+// shorthand stands for it.
+Case case_of(const std::filesystem::path& file, const toml::table& document,
+             const std::vector<Override>& overrides) {
+  Mistakes mistakes;
+  Entries entries = entries_of(file, document, mistakes);
+  for (const auto& replacement : overrides) mistakes.collect([&] { apply(replacement, entries); });
+  mistakes.collect([&] {
+    Entries means = means_in(file, document);
     entries.merge(means);
-    expand_shorthand(entries);
-    return case_of(file.stem().string(), numbers_in(file, entries));
-  } catch (const FieldError& error) {
-    const auto given = entries.find(error.field());
-    throw InputError((given == entries.end() ? file.string() : given->second.place) + ": " + error.what());
-  }
+  });
+  return NumbersReader(file, std::move(entries), mistakes).read();
 }
 
 std::filesystem::path cases_directory() { return data_directory() / "cases"; }
@@ -176,6 +237,21 @@ std::string title_of(const std::filesystem::path& file) {
 bool is_file(const std::filesystem::path& path) {
   std::error_code error;
   return std::filesystem::exists(path, error) && !std::filesystem::is_directory(path, error);
+}
+
+constexpr int fewest_modes = 10, most_modes = 200;
+
+// The largest of 1, 2 and 5 times a power of ten that is not above the value, as the double nearest to it.
+double rounded_down(double value) {
+  int exponent = static_cast<int>(std::floor(std::log10(value)));
+  const auto multiple = [&exponent](double factor) {
+    const double power = std::pow(10.0, std::abs(exponent));  // exact up to 1e22
+    return exponent < 0 ? factor / power : factor * power;
+  };
+  if (multiple(1.0) > value) --exponent;  // just below a power of ten log10 is rounded up
+  for (const double factor : {5.0, 2.0})
+    if (multiple(factor) <= value) return multiple(factor);
+  return multiple(1.0);
 }
 
 }  // namespace
@@ -222,15 +298,11 @@ Uncertainty read_uncertainty(const std::filesystem::path& file) {
 }
 
 Case read_case(const std::filesystem::path& file, const std::vector<Override>& overrides) {
-  const toml::table document = read_toml(file);
-  Entries entries = entries_of(file, document);
-  for (const auto& replacement : overrides) apply(replacement, entries);
-  return case_of(file, std::move(entries), means_in(file, document));
+  return case_of(file, read_toml(file), overrides);
 }
 
 Case parse_case(const std::filesystem::path& file, const std::string& text) {
-  const toml::table document = parse_toml(file, text);
-  return case_of(file, entries_of(file, document), means_in(file, document));
+  return case_of(file, parse_toml(file, text), {});
 }
 
 Case load_case(const std::string& name_or_path, const std::vector<Override>& overrides) {
@@ -258,6 +330,36 @@ std::vector<CaseListing> list_cases() {
                      "); STICKSLIP_DATA must name the folder that holds cases/");
   std::ranges::sort(cases, {}, &CaseListing::name);
   return cases;
+}
+
+namespace fs = std::filesystem;
+
+fs::path installed_folder(const char* variable, std::string_view folder, std::string_view source) {
+  if (const char* chosen = std::getenv(variable); chosen != nullptr && *chosen != '\0') return chosen;
+  std::error_code
+      error;  // without /proc a program does not know its place, and what is not there is not installed
+  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  const fs::path installed = (program.parent_path() / STICKSLIP_SHARED_FILES / folder).lexically_normal();
+  return fs::is_directory(installed, error) ? installed : fs::path(source);
+}
+
+NumericalChoices default_numerics(const Beam& beam, const HarmonicExcitation& excitation, double duration) {
+  constexpr double pi = std::numbers::pi;
+  const double bending_stiffness = beam.youngs_modulus() * beam.second_moment_of_area();
+  const double mass = beam.density() * beam.area();
+  const double unit =
+      std::sqrt(bending_stiffness / mass) / (beam.length() * beam.length()) / (2.0 * pi);  // Hz
+  const double resolved = 4.0 * excitation.frequency_hz();
+  const double above = std::ceil(std::sqrt(resolved / unit) / pi - 0.25);
+  const int k = static_cast<int>(std::clamp(above, double{fewest_modes}, double{most_modes}));
+  const double wave_number = (k + 0.25) * pi;
+  const double step = 1.0 / (50.0 * (wave_number * wave_number * unit));
+  return {.elements = 4 * k,
+          .time_step = rounded_down(duration > 0.0 ? std::min(duration, step) : step),
+          .spectral_radius = 0.9,
+          .velocity_threshold = 0.0,
+          .modes = k,
+          .duration = duration};
 }
 
 }  // namespace stickslip::data

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "stickslip/data/input_text.hpp"
 
+#include <openssl/evp.h>
+
 #include <algorithm>
+#include <array>
 #include <fstream>
 #include <numeric>
+#include <stdexcept>
 #include <system_error>
 
 #include "stickslip/data/case_file.hpp"
@@ -117,6 +121,19 @@ std::string suggestion(std::string_view word, const std::vector<std::string>& na
   const auto nearest = std::ranges::min_element(names, {}, distance);
   const bool is_near = 3 * distance(*nearest) <= std::max(word.size(), nearest->size());
   return is_near ? " (did you mean " + *nearest + "?)" : "";
+}
+
+std::string sha256(std::string_view bytes) {
+  std::array<unsigned char, 32> digest{};
+  if (::EVP_Digest(bytes.data(), bytes.size(), digest.data(), nullptr, ::EVP_sha256(), nullptr) != 1)
+    throw std::runtime_error("libcrypto cannot compute a SHA-256 digest");
+  constexpr std::string_view digits = "0123456789abcdef";
+  std::string text;
+  for (const unsigned char byte : digest) {
+    text += digits[byte >> 4U];
+    text += digits[byte & 0xFU];
+  }
+  return text;
 }
 
 }  // namespace stickslip::data

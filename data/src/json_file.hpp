@@ -3,13 +3,16 @@
 
 /// JSON files whose values know their name, so that an error message says which value is wrong.
 
-#include <filesystem>
 #include <nlohmann/json.hpp>
+
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
+
+#include "stickslip/data/reference.hpp"
 
 namespace stickslip::data {
 
@@ -63,5 +66,9 @@ class JsonNode {
   std::string name_;  // empty for the whole file
   const nlohmann::json* value_;
 };
+
+/// A data set as its object in datapackage.json describes it: the members that must be there, each of its type. What
+/// they mean is not checked.
+[[nodiscard]] Resource read_description(const JsonNode& node);
 
 }  // namespace stickslip::data

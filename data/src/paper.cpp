@@ -11,7 +11,7 @@
 #include <string_view>
 
 #include "stickslip/data/case_file.hpp"
-#include "stickslip/data/toml_record.hpp"
+#include "stickslip/data/toml_file.hpp"
 
 namespace stickslip::data {
 

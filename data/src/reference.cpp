@@ -9,11 +9,10 @@
 #include <stdexcept>
 #include <utility>
 
-#include "reference_json.hpp"
+#include "json_file.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/data/csv_text.hpp"
 #include "stickslip/data/input_text.hpp"
-#include "stickslip/data/sha256.hpp"
 
 namespace stickslip::data {
 

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "reference_json.hpp"
+#include "json_file.hpp"
 
 #include <algorithm>
 #include <array>
 #include <functional>
 #include <optional>
-
-#include "json_file.hpp"
 
 namespace stickslip::data {
 

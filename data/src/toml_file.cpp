@@ -6,6 +6,8 @@
 #include <sstream>
 
 #include "stickslip/data/case_file.hpp"
+#include "stickslip/data/input_text.hpp"
+#include "stickslip/data/units.hpp"
 
 namespace stickslip::data {
 
@@ -31,7 +33,12 @@ std::string with_article(const toml::node& node) {
 }
 
 // What is wrong, on one line: toml++ quotes a line break as it is.
-std::string description_of(const toml::parse_error& error) {
+std::string description_of(const toml::parse_error& error, std::string_view line) {
+  for (auto equals = line.find('='); equals != std::string_view::npos; equals = line.find('=')) {
+    line.remove_prefix(equals + 1);
+    if (const auto number = with_decimal_point(trimmed(line)); !number.empty())
+      return "a number has a decimal comma, but must be written with a decimal point: " + number;
+  }
   std::string text(error.description());
   std::ranges::replace_if(
       text, [](char c) { return static_cast<unsigned char>(c) < 0x20U || c == '\x7f'; }, '?');
@@ -49,8 +56,12 @@ toml::table parse_toml(const std::filesystem::path& file, const std::string& tex
   try {
     return toml::parse(text, file.string());
   } catch (const toml::parse_error& error) {
-    throw InputError(file.string() + ":" + std::to_string(error.source().begin.line) +
-                     ": is not valid TOML: " + description_of(error));
+    const auto number = error.source().begin.line;
+    std::istringstream lines(text);
+    std::string line;
+    for (auto i = number; i > 0; --i) std::getline(lines, line);
+    throw InputError(file.string() + ":" + std::to_string(number) +
+                     ": is not valid TOML: " + description_of(error, line));
   }
 }
 

@@ -3,8 +3,12 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <numbers>
+#include <regex>
 #include <utility>
+
+#include "stickslip/data/input_text.hpp"
 
 namespace stickslip::data {
 
@@ -20,6 +24,7 @@ constexpr std::array units{NamedUnit{"Hz", {"Hz"}},
                            NamedUnit{"mHz", {"Hz", 1, 1e3}},
                            NamedUnit{"kHz", {"Hz", 1e3}},
                            NamedUnit{"MHz", {"Hz", 1e6}},
+                           NamedUnit{"1/s", {"Hz"}},
                            NamedUnit{"rad/s", {"Hz", 1, 2.0 * std::numbers::pi}},
                            NamedUnit{"s", {"s"}},
                            NamedUnit{"ms", {"s", 1, 1e3}},
@@ -57,6 +62,9 @@ constexpr std::array units{NamedUnit{"Hz", {"Hz"}},
                            NamedUnit{"kPa", {"Pa", 1e3}},
                            NamedUnit{"MPa", {"Pa", 1e6}},
                            NamedUnit{"GPa", {"Pa", 1e9}},
+                           NamedUnit{"N/m^2", {"Pa"}},
+                           NamedUnit{"N/mm^2", {"Pa", 1e6}},
+                           NamedUnit{"kN/mm^2", {"Pa", 1e9}},
                            NamedUnit{"rad", {"rad"}},
                            NamedUnit{"deg", {"rad", std::numbers::pi, 180.0}},
                            NamedUnit{"J", {"J"}},
@@ -65,7 +73,7 @@ constexpr std::array units{NamedUnit{"Hz", {"Hz"}},
                            NamedUnit{"-", {""}},
                            NamedUnit{"%", {"", 1, 1e2}}};
 
-// As the table spells it: "m_per_s" is m/s, and both Greek letters for micro are u.
+// As the table spells it: "m_per_s" is m/s, m3 is m^3, and both Greek letters for micro are u.
 std::string spelled(std::string_view name) {
   std::string text(name);
   for (const auto& [from, to] : {std::pair<std::string_view, std::string_view>{"_per_", "/"},
@@ -76,6 +84,9 @@ std::string spelled(std::string_view name) {
                                  {"\u2074", "^4"},
                                  {"\u00b0", "deg"}})
     if (const auto at = text.find(from); at != std::string::npos) text.replace(at, from.size(), to);
+  if (text.size() > 1 && text.back() >= '2' && text.back() <= '4' &&
+      (text.end()[-2] == 'm' || text.end()[-2] == 's'))
+    text.insert(text.size() - 1, "^");
   return text;
 }
 
@@ -85,6 +96,33 @@ std::optional<Unit> unit_named(std::string_view name) {
   const auto found = std::ranges::find(units, spelled(name), &NamedUnit::name);
   if (found == units.end()) return std::nullopt;
   return found->unit;
+}
+
+std::optional<double> quantity_in(std::string_view text, std::string_view si, bool may_lack_unit) {
+  text = trimmed(text);
+  double value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{}) return std::nullopt;
+  const auto name = trimmed(text.substr(static_cast<std::size_t>(end - text.data())));
+  if (name.empty()) return may_lack_unit ? std::optional(value) : std::nullopt;
+  const auto unit = unit_named(name);
+  if (!unit || unit->si != si) return std::nullopt;
+  return unit->to_si(value);
+}
+
+std::string quantity_allowed(std::string_view text, std::string_view si) {
+  if (const auto number = with_decimal_point(trimmed(text)); !number.empty())
+    return "written with a decimal point: " + number;
+  if (si.empty()) return "a number";
+  return "a number (" + std::string(si) + ") or a text of a number and a unit: " + units_convertible_to(si);
+}
+
+std::string with_decimal_point(std::string_view text) {
+  static const std::regex form(R"(([+-]?\d+),(\d+(?:[eE][+-]?\d+)?)(?![\d,]))");
+  std::match_results<std::string_view::const_iterator> match;
+  const bool is_one =
+      std::regex_search(text.begin(), text.end(), match, form, std::regex_constants::match_continuous);
+  return is_one ? match.str(1) + "." + match.str(2) : "";
 }
 
 std::string units_convertible_to(std::string_view si) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <optional>
 #include <string>
 
@@ -18,26 +17,23 @@ constexpr double periods = 10.0;  // unless --duration or --set gives a duration
 
 struct AnimateOptions {
   CaseOptions problem;
-  ExcitationOptions excitation;
   std::string method = "fe";
-  std::optional<double> duration;
   int frames = 200;
   std::string output = "frames";
 };
 
 // With the duration that is drawn.
 data::Case case_of(const AnimateOptions& options) {
-  const data::Case problem = load_case(options.problem, options.excitation, options.duration);
-  const bool is_set = std::ranges::any_of(overrides_of(options.problem), [](const data::Override& one) {
-    return one.key == "excitation.duration" || one.key == "numerics.duration";
-  });
-  if (options.duration || is_set) return problem;
-  return load_case(options.problem, options.excitation, periods / problem.excitation.frequency_hz());
+  const double hz = load_case(options.problem).excitation.frequency_hz();
+  auto overrides = overrides_of(options.problem);
+  overrides.insert(overrides.begin(), override_with("excitation.duration", periods / hz, ""));
+  return data::load_case(options.problem.name, overrides);
 }
 
 Answer animate(const AnimateOptions& options, Outputs& outputs) {
   const data::Case problem = case_of(options);
   data::require_rigid(problem.contact, "the command animate; respond takes it");
+  outputs.about(problem);
   const double duration = problem.numerics.duration();
   if (options.frames - 1 > duration / problem.numerics.time_step() * (1.0 + 1e-12))
     throw data::FieldError(
@@ -52,8 +48,7 @@ Answer animate(const AnimateOptions& options, Outputs& outputs) {
       {.method = &method, .frames = options.frames, .output = options.output, .quiet = outputs.is_quiet()});
   Answer answer;
   answer.add_line(fmt::format("{} frames written to {}", options.frames, options.output));
-  answer.add_members({{"case", problem.name},
-                      {"method", options.method},
+  answer.add_members({{"method", options.method},
                       {"frequency_hz", problem.excitation.frequency_hz()},
                       {"amplitude_m", problem.excitation.amplitude()},
                       {"duration_s", duration},
@@ -65,14 +60,13 @@ Answer animate(const AnimateOptions& options, Outputs& outputs) {
 
 void add_options(CLI::App& command, AnimateOptions& options) {
   add_case_options(command, options.problem);
-  add_excitation_options(command, options.excitation);
+  add_excitation_options(command, options.problem);
   command
       .add_option("--method", options.method,
                   "Finite elements with contact, or event by event in the modes of the continuous beam")
       ->check(one_of({"event-driven", "fe"}))
       ->capture_default_str();
-  command.add_option("--duration", options.duration, "Duration, s (else ten periods of the excitation)")
-      ->check(number());
+  add_duration_option(command, options.problem, "else ten periods of the excitation");
   command.add_option("--frames", options.frames, "Number of frames, evenly over the duration")
       ->check(integer_between(2, report::most_frames))
       ->capture_default_str();

@@ -8,13 +8,15 @@
 #include <limits>
 
 #include "stickslip/data/case_file.hpp"
-#include "studies/common/common_digits.hpp"
+#include "studies/common/convergence.hpp"
 
 namespace stickslip::cli {
 
 namespace {
 
 constexpr std::size_t value_width = 20;  // of values side by side
+constexpr int all_digits = 17;
+int most_digits = 6;
 
 std::string without_blanks_at_the_end(const std::string& line) {
   return line.substr(0, line.find_last_not_of(' ') + 1);
@@ -22,12 +24,15 @@ std::string without_blanks_at_the_end(const std::string& line) {
 
 }  // namespace
 
+void set_most_digits(int digits) { most_digits = digits; }
+
 int digits_that_hold(double relative_error) {
   const double resolved = std::max(relative_error, std::numeric_limits<double>::epsilon());
   return std::max(1, static_cast<int>(std::floor(-std::log10(resolved))));
 }
 
 std::string significant(double value, int digits) {
+  digits = std::min(digits, most_digits);
   std::string text = fmt::format("{:#.{}g}", value, digits);
   if (const auto bare = text.find(".e"); bare != std::string::npos)
     text.erase(bare, 1);  // 3.e+01 becomes 3e+01
@@ -38,14 +43,19 @@ std::string significant(double value, int digits) {
 }
 
 std::string common_digits(const analytic::Bounds& bounds) {
-  if (bounds.lower == bounds.upper) return data::shortest_text(bounds.lower);
+  if (bounds.lower == bounds.upper) return exact(bounds.lower).text;
   if (const int digits = studies::common_digits(bounds); digits > 0) return significant(bounds.lower, digits);
   return fmt::format("{} ... {}", significant(bounds.lower, 2), significant(bounds.upper, 2));
 }
 
-Value exact(double value) { return {value, data::shortest_text(value)}; }
+Value exact(double value) {
+  return {value,
+          most_digits < all_digits ? fmt::format("{:.{}g}", value, most_digits) : data::shortest_text(value)};
+}
 
-Value rounded(double value, int digits) { return {value, fmt::format("{:.{}g}", value, digits)}; }
+Value rounded(double value, int digits) {
+  return {value, fmt::format("{:.{}g}", value, std::min(digits, most_digits))};
+}
 
 Value between(const analytic::Bounds& bounds) {
   return {{{"lower", bounds.lower}, {"upper", bounds.upper}}, common_digits(bounds)};
@@ -87,6 +97,23 @@ Json Table::json() const {
     array.push_back(object);
   }
   return array;
+}
+
+std::string Table::csv() const {
+  const auto quoted = [](std::string cell) {
+    if (cell.find_first_of(",\"\n") == std::string::npos) return cell;
+    for (auto at = cell.find('"'); at != std::string::npos; at = cell.find('"', at + 2))
+      cell.insert(at, 1, '"');
+    return '"' + cell + '"';
+  };
+  std::string text;
+  for (std::size_t i = 0; i < columns.size(); ++i) text += (i > 0 ? "," : "") + quoted(columns[i].key);
+  for (const auto& row : rows)
+    for (std::size_t i = 0; i < row.size(); ++i)
+      text += (i > 0 ? "," : "\n") + (row[i].json.is_string() ? quoted(row[i].json)
+                                      : row[i].json.is_null() ? ""
+                                                              : row[i].json.dump());
+  return text + "\n";
 }
 
 void Answer::add_line(std::string_view line) { text.append(line) += '\n'; }

@@ -9,11 +9,14 @@
 #include <string_view>
 #include <vector>
 
-#include "stickslip/analytic/bounds.hpp"
+#include "stickslip/analytic/force_maximum.hpp"
 
 namespace stickslip::cli {
 
 using Json = nlohmann::ordered_json;
+
+/// Significant digits that the text of a value has at most, 17 for all that read back as the same double.
+void set_most_digits(int digits);
 
 /// The number of significant digits that a relative error leaves, 1 ... 15.
 [[nodiscard]] int digits_that_hold(double relative_error);
@@ -31,7 +34,7 @@ struct Value {
   std::string text;
 };
 
-/// A number with the digits that read back as the same double, or with at most so many significant digits in the text.
+/// A number, in the text with the digits that set_most_digits() allows, or with fewer.
 [[nodiscard]] Value exact(double value);
 [[nodiscard]] Value rounded(double value, int digits);
 
@@ -62,6 +65,8 @@ struct Table {
   /// With the line of headers unless it is left out; no line ends in blanks.
   [[nodiscard]] std::string text(bool with_headers = true) const;
   [[nodiscard]] Json json() const;
+  /// With the keys as names of the columns.
+  [[nodiscard]] std::string csv() const;
 };
 
 /// The answer of a subcommand, built up in the order in which text and JSON show it.

@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/data/input_text.hpp"
+#include "stickslip/data/units.hpp"
 
 namespace stickslip::cli {
 
@@ -25,6 +27,11 @@ void add_case_options(CLI::App& command, CaseOptions& options) {
       ->capture_default_str();
   add_set_option(command, options.overrides, "Replace a key of the case, as in beam.length=1.8; repeatable");
   add_json_option(command);
+  command
+      .add_option_function<int>(
+          "--digits", [](const int& digits) { set_most_digits(digits); },
+          "Significant digits in the text at most (default: 6; --json has all of them)")
+      ->check(integer_between(1, 17));
 }
 
 namespace {
@@ -45,18 +52,19 @@ CLI::Validator integer_between(long lowest, long highest) {
   return {check, fmt::format("{} ... {}", lowest, highest)};
 }
 
-CLI::Validator number() {
-  return {[](const std::string& text) { return parse<double>(text) ? "" : is_not(text, "a number"); }, ""};
-}
-
-CLI::Validator time() {
-  const auto check = [](const std::string& text) -> std::string {
-    const auto value = parse<double>(text);
-    if (value && std::isfinite(*value) && *value >= 0.0) return "";
-    return is_not(text, "a finite number of 0 or more (s)");
+CLI::Validator number(const std::string& unit, bool is_time) {
+  const auto check = [unit, is_time](std::string& text) -> std::string {
+    const auto value = data::quantity_in(text, unit);
+    if (is_time && (!value || !std::isfinite(*value) || *value < 0.0))
+      return is_not(text, "a finite number of 0 or more (s)");
+    if (!value) return is_not(text, data::quantity_allowed(text, unit));
+    text = data::shortest_text(*value);
+    return "";
   };
   return {check, ""};
 }
+
+CLI::Validator time() { return number("s", true); }
 
 CLI::Validator one_of(const std::vector<std::string>& names) {
   const auto check = [names](const std::string& text) -> std::string {
@@ -70,43 +78,46 @@ CLI::Validator file_name() {
   return {[](const std::string& text) { return text.empty() ? is_not(text, "the name of a file") : ""; }, ""};
 }
 
-void add_excitation_options(CLI::App& command, ExcitationOptions& options) {
-  command.add_option("--hz", options.frequency_hz, "Excitation frequency, Hz (else that of the case)")
-      ->check(number());
-  command.add_option("--amplitude", options.amplitude, "Excitation amplitude, m (else that of the case)")
-      ->check(number());
+CLI::Option* add_key_option(CLI::App& command, CaseOptions& options, const std::string& name,
+                            const std::string& key, const std::string& help) {
+  const auto take = [&options, key, name](const std::string& text) {
+    options.keys.push_back({key, text, name});
+  };
+  return command.add_option_function<std::string>(name, take, help)->type_name("NUMBER[UNIT]");
 }
 
-std::vector<data::Override> overrides_of(const CaseOptions& options, const ExcitationOptions& excitation) {
+void add_excitation_options(CLI::App& command, CaseOptions& options) {
+  add_key_option(command, options, "--hz", "excitation.frequency_hz",
+                 "Excitation frequency, Hz (else that of the case)");
+  add_key_option(command, options, "--amplitude", "excitation.amplitude",
+                 "Excitation amplitude, m or with its unit, as 0.2mm (else that of the case)");
+}
+
+void add_duration_option(CLI::App& command, CaseOptions& options, const std::string& otherwise) {
+  add_key_option(command, options, "--duration", "excitation.duration", "Duration, s (" + otherwise + ")");
+}
+
+std::vector<data::Override> overrides_of(const CaseOptions& options) {
   std::vector<data::Override> overrides;
   for (const auto& text : options.overrides) overrides.push_back(data::Override::parse(text));
-  if (excitation.frequency_hz)
-    overrides.push_back(override_with("excitation.frequency_hz", *excitation.frequency_hz, "--hz"));
-  if (excitation.amplitude)
-    overrides.push_back(override_with("excitation.amplitude", *excitation.amplitude, "--amplitude"));
+  overrides.insert(overrides.end(), options.keys.begin(), options.keys.end());
   return overrides;
 }
 
-data::Case load_case(const CaseOptions& options, const ExcitationOptions& excitation,
-                     const std::optional<double>& duration) {
-  auto overrides = overrides_of(options, excitation);
-  if (duration) overrides.push_back(override_with("excitation.duration", *duration, "--duration"));
+data::Case load_case(const CaseOptions& options, const std::vector<data::Override>& more) {
+  auto overrides = overrides_of(options);
+  overrides.insert(overrides.end(), more.begin(), more.end());
   return data::load_case(options.name, overrides);
 }
 
-data::NumericalSettings numerics_up_to(double frequency_hz, const CaseOptions& options,
-                                       ExcitationOptions excitation, const std::optional<double>& duration) {
-  excitation.frequency_hz = frequency_hz;
-  return load_case(options, excitation, duration).numerics;
+data::NumericalSettings numerics_up_to(double frequency_hz, const CaseOptions& options) {
+  return load_case(options, {override_with("excitation.frequency_hz", frequency_hz, "")}).numerics;
 }
 
-void require_no_fixed_value(const ExcitationOptions& excitation, std::string_view varied,
-                            std::string_view option) {
-  const auto require_none = [&](const std::optional<double>& value, std::string_view fixed) {
-    if (value) throw data::InputError(fmt::format("{} is given, but {} varies {}", fixed, option, varied));
-  };
-  if (varied == "excitation.frequency_hz") require_none(excitation.frequency_hz, "--hz");
-  if (varied == "excitation.amplitude") require_none(excitation.amplitude, "--amplitude");
+void require_no_fixed_value(const CaseOptions& options, std::string_view varied, std::string_view option) {
+  for (const data::Override& fixed : options.keys)
+    if (fixed.key == varied)
+      throw data::InputError(fmt::format("{} is given, but {} varies {}", fixed.place, option, varied));
 }
 
 data::Override override_with(const std::string& key, double value, const std::string& option) {
@@ -128,21 +139,60 @@ Json change_json(const std::optional<studies::Change>& change) {
   return {{"key", change->key}, {"factor", change->factor}, {"margin", change->margin}};
 }
 
-std::string conditions_of(const data::Case& problem, const std::string& hz) {
-  return fmt::format("{}: {} Hz, {} m, 0 to {} s", problem.name,
-                     hz.empty() ? data::shortest_text(problem.excitation.frequency_hz()) : hz,
-                     data::shortest_text(problem.excitation.amplitude()),
-                     data::shortest_text(problem.numerics.duration()));
+namespace {
+
+// Millimetres below a metre.
+std::string length_text(double metres) {
+  return metres < 1.0 ? fmt::format("{:.4g} mm", 1e3 * metres) : fmt::format("{:.4g} m", metres);
 }
 
-Json numerics_json(const data::Case& problem) {
-  Json settings;
-  for (const data::Key& key : data::case_keys()) {
-    if (key.table() != "numerics" || key.presence == data::Presence::shorthand) continue;
-    const double value = data::value_of(problem, key.path);
-    settings[std::string(key.name())] = key.member.is_integer ? Json(static_cast<int>(value)) : Json(value);
-  }
-  return settings;
+std::string section_text(const data::Case& problem) {
+  const data::Section& section = problem.section;
+  if (!section.is_given())
+    return fmt::format(", A = {:.5g} mm^2, I = {:.5g} mm^4", 1e6 * problem.beam.area(),
+                       1e12 * problem.beam.second_moment_of_area());
+  if (std::isnan(section.diameter))
+    return fmt::format(" x {} x {}", length_text(section.width), length_text(section.height));
+  return fmt::format(
+      ", diameter {}{}", length_text(section.diameter),
+      std::isnan(section.wall_thickness) ? "" : ", wall " + length_text(section.wall_thickness));
+}
+
+// The material with these numbers or, without one, the numbers.
+std::string material_text(const data::Beam& beam) {
+  for (const data::Material& material : data::list_materials())
+    if (material.density == beam.density() && material.youngs_modulus == beam.youngs_modulus())
+      return material.name;
+  return fmt::format("E = {:.4g} GPa, rho = {:.4g} kg/m^3", 1e-9 * beam.youngs_modulus(), beam.density());
+}
+
+}  // namespace
+
+std::string beam_line(const data::Case& problem) {
+  const data::Beam& beam = problem.beam;
+  const double share = 100.0 * beam.axial_force() / analytic::stick_buckling_load(beam);
+  return fmt::format("{}: {}{}, {}, P = {:.6g} N ({}), mu {:.4g}/{:.4g}\n", problem.name,
+                     length_text(beam.length()), section_text(problem), material_text(beam),
+                     beam.axial_force(), share < 0.0 ? "tension" : fmt::format("{:.3g} % of buckling", share),
+                     problem.friction.static_coefficient(), problem.friction.kinetic_coefficient());
+}
+
+std::string conditions_of(const data::Case& problem, const std::optional<analytic::FrequencyBand>& band) {
+  const auto text = data::shortest_text;
+  return fmt::format(
+      "{} Hz, {} m, 0 to {} s",
+      band ? text(band->from_hz) + " to " + text(band->to_hz) : text(problem.excitation.frequency_hz()),
+      text(problem.excitation.amplitude()), text(problem.numerics.duration()));
+}
+
+Json problem_json(const data::Case& problem) {
+  Json tables;
+  const auto numbers = data::numbers_of(problem);
+  for (const data::Key& key : data::case_keys())
+    if (const auto found = numbers.find(std::string(key.path)); found != numbers.end())
+      tables[std::string(key.table())][std::string(key.name())] =
+          key.member.is_integer ? Json(static_cast<int>(found->second)) : finite_json(found->second);
+  return tables;
 }
 
 }  // namespace stickslip::cli

@@ -15,6 +15,7 @@
 
 #include "answer.hpp"
 #include "command.hpp"
+#include "stickslip/analytic/band_maximum.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "studies/analyses/criterion_answer.hpp"
 #include "studies/analyses/problem_warnings.hpp"
@@ -26,18 +27,19 @@ namespace stickslip::cli {
 struct CaseOptions {
   std::string name = "paper";
   std::vector<std::string> overrides{};
-};
-
-/// --hz F --amplitude M, short for --set excitation.frequency_hz=F --set excitation.amplitude=M
-struct ExcitationOptions {
-  std::optional<double> frequency_hz;
-  std::optional<double> amplitude;
+  std::vector<data::Override> keys{};  ///< of options with a name of their own, which win
 };
 
 void add_package_option(CLI::App& command, std::string& package);
 void add_set_option(CLI::App& command, std::vector<std::string>& overrides, const std::string& help);
 void add_case_options(CLI::App& command, CaseOptions& options);
-void add_excitation_options(CLI::App& command, ExcitationOptions& options);
+/// An option that is short for --set KEY=VALUE.
+CLI::Option* add_key_option(CLI::App& command, CaseOptions& options, const std::string& name,
+                            const std::string& key, const std::string& help);
+/// --hz, --amplitude; --duration.
+void add_excitation_options(CLI::App& command, CaseOptions& options);
+void add_duration_option(CLI::App& command, CaseOptions& options,
+                         const std::string& otherwise = "else that of the case");
 
 /// The number that the whole text is, if it is one.
 template <class Number>
@@ -49,31 +51,26 @@ template <class Number>
   return value;
 }
 
-/// Accept integers from lowest to highest, numbers, finite times of 0 or more, one of some names, or the name
-/// of a file: so that an error message says what is allowed.
+/// Accept integers from lowest to highest, numbers and finite times of 0 or more, one of some names, or the name
+/// of a file: so that an error message says what is allowed. number() and time() take a unit as a case file does, and
+/// as a transform of the option hand on the number in SI units.
 [[nodiscard]] CLI::Validator integer_between(long lowest, long highest);
-[[nodiscard]] CLI::Validator number();
+[[nodiscard]] CLI::Validator number(const std::string& unit = "", bool is_time = false);
 [[nodiscard]] CLI::Validator time();
 [[nodiscard]] CLI::Validator one_of(const std::vector<std::string>& names);
 [[nodiscard]] CLI::Validator file_name();
 
-/// The overrides of --set, then those of the options with a name of their own, which win.
-/// Throws data::InputError.
-[[nodiscard]] std::vector<data::Override> overrides_of(const CaseOptions& options,
-                                                       const ExcitationOptions& excitation = {});
+/// The overrides of --set, then those of the options with a name of their own. Throws data::InputError.
+[[nodiscard]] std::vector<data::Override> overrides_of(const CaseOptions& options);
 
-/// The case with those overrides and, if given, another duration, s. Throws data::InputError.
-[[nodiscard]] data::Case load_case(const CaseOptions& options, const ExcitationOptions& excitation,
-                                   const std::optional<double>& duration);
+/// The case with those overrides and some more. Throws data::InputError.
+[[nodiscard]] data::Case load_case(const CaseOptions& options, const std::vector<data::Override>& more = {});
 
 /// The settings of that case for excitations up to a frequency, which decides those that the case does not state.
-[[nodiscard]] data::NumericalSettings numerics_up_to(double frequency_hz, const CaseOptions& options,
-                                                     ExcitationOptions excitation,
-                                                     const std::optional<double>& duration);
+[[nodiscard]] data::NumericalSettings numerics_up_to(double frequency_hz, const CaseOptions& options);
 
-/// Throws data::InputError if --hz or --amplitude gives what the option varies, such as --x.
-void require_no_fixed_value(const ExcitationOptions& excitation, std::string_view varied,
-                            std::string_view option);
+/// Throws data::InputError if an option of its own gives what another one, such as --x, varies.
+void require_no_fixed_value(const CaseOptions& options, std::string_view varied, std::string_view option);
 
 /// What an option of its own sets a key to.
 [[nodiscard]] data::Override override_with(const std::string& key, double value, const std::string& option);
@@ -87,10 +84,14 @@ void require_no_fixed_value(const ExcitationOptions& excitation, std::string_vie
 /// The members of a change of a key, or null.
 [[nodiscard]] Json change_json(const std::optional<studies::Change>& change);
 
-/// "NAME: 30 Hz, 0.001 m, 0 to 2 s", with another text for the frequency if it is given.
-[[nodiscard]] std::string conditions_of(const data::Case& problem, const std::string& hz = "");
+/// The line "NAME: 80 mm x 10 mm x 2 mm, abs, P = 5 N (12 % of buckling), mu 0.4/0.3": what the program has understood.
+[[nodiscard]] std::string beam_line(const data::Case& problem);
 
-/// The settings that the case states or default_numerics() has chosen, by their keys.
-[[nodiscard]] Json numerics_json(const data::Case& problem);
+/// "30 Hz, 0.001 m, 0 to 2 s", or with the frequencies of a band.
+[[nodiscard]] std::string conditions_of(const data::Case& problem,
+                                        const std::optional<analytic::FrequencyBand>& band = {});
+
+/// All numbers of the case in SI units, those of default_numerics() among them, by tables and keys; null for one that is infinite.
+[[nodiscard]] Json problem_json(const data::Case& problem);
 
 }  // namespace stickslip::cli

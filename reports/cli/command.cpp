@@ -70,11 +70,18 @@ void require_compatible(const std::vector<Outputs::Named>& files, bool is_json) 
 }  // namespace
 
 Outputs::Outputs(const CLI::App& command)
-    : command_(command.get_name()), is_json_(has_flag(command, "--json")) {
+    : command_(command.get_name()),
+      is_json_(has_flag(command, "--json")),
+      head_{{"program", program()}, {"command", command_line()}} {
   for (const CLI::App* app = &command; app != nullptr; app = app->get_parent())
     is_quiet_ = is_quiet_ || has_flag(*app, "--quiet");
   look_.title = text_of(command, "--title").value_or("");
   if (const auto size = text_of(command, "--size")) look_.size_cm = size_in(*size);
+}
+
+void Outputs::about(const data::Case& problem) {
+  beam_ = beam_line(problem);
+  head_.update({{"case", problem.name}, {"problem", problem_json(problem)}});
 }
 
 void Outputs::open(const std::vector<Named>& files) {
@@ -126,7 +133,11 @@ void Outputs::write(std::string_view option, const std::function<std::string()>&
   if (open == nullptr) return;
   if (progress_ && open->name.path == "-") progress_->finish();
   const auto undisturbed = hold();
-  open->file.write(text());
+  std::string whole = text();
+  if (whole.starts_with("# ") && whole[2] != '{')  // the title of a table
+    whole.insert(whole.find('\n'),
+                 fmt::format("; {}, {}, {}", program(), command_, head_.value("problem", Json()).dump()));
+  open->file.write(whole);
   open->file.commit();
   open->is_written = true;
 }
@@ -174,10 +185,11 @@ void Outputs::print(Answer answer) {
       fmt::print(stderr, "stickslip: warning: {}\n", warning);
     answer.add_members({{"warnings", *answer.warnings}});
   }
+  head_.update(answer.json);
   if (is_json_)
-    print_json(answer.json);
+    print_json(head_);
   else if (!takes_standard_output())
-    fmt::print("{}", answer.text);
+    fmt::print("{}{}", beam_, answer.text);
 }
 
 void add_examples(CLI::App& command, const std::vector<std::string>& lines) {

@@ -19,6 +19,7 @@
 #include "render/drawing.hpp"
 #include "render/interruption.hpp"
 #include "render/progress.hpp"
+#include "stickslip/data/problem.hpp"
 
 namespace stickslip::cli {
 
@@ -35,6 +36,9 @@ class Outputs {
   explicit Outputs(const CLI::App& command);
   Outputs(const Outputs&) = delete;
   Outputs& operator=(const Outputs&) = delete;
+
+  /// The case that the answer is of: the text begins with its beam, and JSON has all its numbers.
+  void about(const data::Case& problem);
 
   /// Opens the files that have a name, before the work whose results they are to hold. From here on Ctrl-C and SIGTERM end the
   /// program in good order. Throws data::InputError if two options name the same file, if --json and a file both want standard
@@ -54,7 +58,8 @@ class Outputs {
   [[nodiscard]] OutputFile& file(std::string_view option);
   void commit(std::string_view option);
 
-  /// Writes the whole file of an option and puts it in place; without the option `text` is not called.
+  /// Writes the whole file of an option and puts it in place; without the option `text` is not called. The title of a table, a
+  /// comment line, goes on with program, subcommand and the numbers of the case.
   void write(std::string_view option, const std::function<std::string()>& text);
 
   /// The same for --figure; `drawing` is given what --figure, --size and --title ask for, and else that title.
@@ -86,6 +91,8 @@ class Outputs {
 
   std::string command_;
   bool is_json_{}, is_quiet_{};
+  std::string beam_;  // of the case
+  Json head_;         // of the answer in JSON
   report::Look look_;
   std::list<Open> files_;
   std::optional<report::Progress> progress_;

@@ -51,7 +51,7 @@ std::vector<const CLI::Option*> options_of(const CLI::App& command, bool positio
 std::vector<Candidate> values_of(const CLI::Option& option) {
   std::vector<Candidate> values;
   const std::string name = option.get_name(true), type = option.get_type_name();
-  if (name == "CASE")
+  if (name.starts_with("CASE"))
     for (const auto& listing : data::list_cases()) values.push_back({listing.name, listing.title});
   if (name == "NAME")
     for (const auto& resource : data::load_reference().resources)

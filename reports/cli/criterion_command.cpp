@@ -9,6 +9,7 @@
 #include "command.hpp"
 #include "commands.hpp"
 #include "render/drawing.hpp"
+#include "stickslip/data/csv_text.hpp"
 #include "studies/analyses/criterion_answer.hpp"
 
 namespace stickslip::cli {
@@ -17,8 +18,8 @@ namespace {
 
 struct CriterionOptions {
   CaseOptions problem;
-  ExcitationOptions excitation;
-  std::string figure;
+  std::vector<std::string> more;
+  std::string plan, output, figure;
 };
 
 std::vector<LabelledValue> rows_of(const analytic::Criterion& criterion, bool has_margin) {
@@ -36,7 +37,7 @@ std::vector<LabelledValue> rows_of(const analytic::Criterion& criterion, bool ha
 void add_criteria(Answer& answer, const data::Case& problem, const studies::CriterionAnswer& found) {
   const bool has_margin = problem.excitation.amplitude() > 0.0;
   const auto truncated = rows_of(found.truncated, has_margin), all = rows_of(found.all_modes, has_margin);
-  answer.add_row("", {fmt::format("N = {}", problem.numerics.modes()), "all modes"});
+  answer.add_row("", {fmt::format("{} modes", problem.numerics.modes()), "all modes"});
   Answer all_modes;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const LabelledValue& row = truncated[i];
@@ -72,8 +73,8 @@ void add_outlook(Answer& answer, const studies::CriterionAnswer& found) {
   answer.add_row({"nearest natural freq. / Hz",
                   "nearest_natural_frequency",
                   {{{"mode", mode}, {"frequency_hz", hz}, {"relative_distance", distance}},
-                   fmt::format("{:.7g} (mode {}), {:.2g} % {}", hz, mode, 100.0 * std::abs(distance),
-                               distance < 0.0 ? "below" : "above")}});
+                   fmt::format("{} (mode {}), {:.2g} % {}", rounded(hz, 7).text, mode,
+                               100.0 * std::abs(distance), distance < 0.0 ? "below" : "above")}});
   if (const auto& best = found.best_change)
     answer.add_row({"best change by a tenth",
                     "best_change",
@@ -86,8 +87,7 @@ void add_outlook(Answer& answer, const studies::CriterionAnswer& found) {
 Answer answer_of(const data::Case& problem, const studies::CriterionAnswer& found) {
   Answer answer;
   const bool is_damped = studies::is_damped(problem);
-  answer.add_members({{"case", problem.name},
-                      {"frequency_hz", problem.excitation.frequency_hz()},
+  answer.add_members({{"frequency_hz", problem.excitation.frequency_hz()},
                       {"amplitude_m", problem.excitation.amplitude()},
                       {"duration_s", problem.numerics.duration()},
                       {"modes", problem.numerics.modes()}});
@@ -120,11 +120,76 @@ std::string drawing(const data::Case& problem, const report::Look& look) {
                              {"criterion-values.csv", values.text()}});
 }
 
-Answer criterion(const CriterionOptions& options, Outputs& outputs) {
-  const data::Case problem = load_case(options.problem, options.excitation, std::nullopt);
+data::Case case_of(const CaseOptions& options, const std::vector<data::Override>& point = {}) {
+  data::Case problem = load_case(options, point);
   data::require_rigid(problem.contact, "the criterion, whose tip is held; respond takes it");
   analytic::require_contact(problem.beam);
   studies::require_feasible(problem, studies::Inquiry::criterion);
+  return problem;
+}
+
+// A plan has a column for each key and a row for each point; without a plan one point changes nothing.
+std::vector<std::vector<data::Override>> points_of(const std::string& plan) {
+  if (plan.empty()) return {{}};
+  const std::string text = data::read_table_text(plan);
+  data::CsvReader csv(plan, text);
+  std::vector<std::vector<data::Override>> points;
+  while (const auto cells = csv.next_row()) {
+    auto& point = points.emplace_back();
+    for (std::size_t i = 0; i < cells->size(); ++i)
+      point.push_back({csv.names()[i], std::string((*cells)[i]), csv.place(csv.line(), i)});
+  }
+  if (points.empty()) throw data::InputError(plan + ": the plan has no rows, but must have at least one");
+  return points;
+}
+
+// A row for each case and point, with all modes.
+Answer table_of_cases(const CriterionOptions& options, Outputs& outputs) {
+  const auto points = points_of(options.plan);
+  std::vector<CaseOptions> cases{options.problem};
+  for (const std::string& name : options.more) cases.emplace_back(options.problem).name = name;
+  Table table{.columns = {{"case", "case"}}, .rows = {}};
+  for (const data::Override& key : points.front()) table.columns.push_back({key.key, key.key});
+  table.columns.insert(table.columns.end(), {{"f / Hz", "frequency_hz"},
+                                             {"A_0 / m", "amplitude_m"},
+                                             {"largest |f| / N", "force_max_N"},
+                                             {"friction limit / N", "friction_limit_N"},
+                                             {"critical amplitude / m", "critical_amplitude_m"},
+                                             {"margin", "margin"},
+                                             {"verdict", "verdict"}});
+  if (cases.size() == 1) outputs.about(load_case(options.problem));
+  outputs.open({{"--output", options.output}});
+  report::Progress& progress = outputs.progress("", cases.size() * points.size());
+  const auto middle = [](const analytic::Bounds& bounds) {
+    return Value{bounds.midpoint(), common_digits(bounds)};
+  };
+  Answer answer;
+  for (const CaseOptions& one : cases)
+    for (const auto& point : points) {
+      const data::Case problem = case_of(one, point);
+      const analytic::Criterion found = studies::criterion_answer(problem).all_modes;
+      auto& row = table.rows.emplace_back(std::vector{word(problem.name)});
+      for (const data::Override& key : point) row.push_back(word(key.value));
+      row.insert(
+          row.end(),
+          {exact(problem.excitation.frequency_hz()), exact(problem.excitation.amplitude()),
+           middle(found.force_max), exact(found.friction_limit), middle(found.critical_amplitude),
+           problem.excitation.amplitude() > 0.0 ? middle(studies::margin_of(found)) : Value{nullptr, "-"},
+           word(to_string(found.verdict))});
+      for (const std::string& warning : warnings_of(problem, studies::Inquiry::criterion))
+        add_warning(answer, problem.name + ": " + warning);
+      progress(static_cast<double>(table.rows.size()) / static_cast<double>(cases.size() * points.size()));
+    }
+  answer.add_table("cases", table);
+  outputs.write("--output", [&] { return table.csv(); });
+  return answer;
+}
+
+Answer criterion(const CriterionOptions& options, Outputs& outputs) {
+  if (!options.more.empty() || !options.plan.empty() || !options.output.empty())
+    return table_of_cases(options, outputs);
+  const data::Case problem = case_of(options.problem);
+  outputs.about(problem);
   outputs.open({{"--figure", options.figure}});
   Answer answer = answer_of(problem, studies::criterion_answer(problem));
   answer.warnings = warnings_of(problem, studies::Inquiry::criterion);
@@ -135,8 +200,20 @@ Answer criterion(const CriterionOptions& options, Outputs& outputs) {
 
 void add_options(CLI::App& command, CriterionOptions& options) {
   add_case_options(command, options.problem);
-  add_excitation_options(command, options.excitation);
+  auto* more = command.add_option("CASES", options.more, "Further cases: a row each in one table");
+  auto* plan =
+      command
+          .add_option(
+              "--plan", options.plan,
+              "CSV file with a column for each key that it varies, as beam.length, and a row for each "
+              "point: a row each in the table")
+          ->check(file_name());
+  auto* output =
+      command.add_option("--output", options.output, "CSV file for the table, '-' for standard output")
+          ->check(file_name());
+  add_excitation_options(command, options.problem);
   add_figure_option(command, options.figure);
+  command.get_option("--figure")->excludes(more)->excludes(plan)->excludes(output);
 }
 
 }  // namespace
@@ -146,6 +223,7 @@ void add_criterion_command(CLI::App& app) {
       app, {.name = "criterion",
             .help = "Whether stick-slip occurs, and from which amplitude on (closed form)",
             .examples = {"stickslip criterion steel-strip --hz 30 --figure criterion.png",
+                         "stickslip criterion paper steel-strip --hz 30 --amplitude 0.1mm --output table.csv",
                          "stickslip criterion paper --set beam.length=1.8 --amplitude 0.5e-3 --json"},
             .add_options = add_options,
             .run = criterion});

@@ -21,8 +21,6 @@ namespace {
 
 struct DesignOptions {
   CaseOptions problem;
-  std::optional<double> amplitude;
-  std::optional<double> duration;
   std::string band;
   std::optional<std::string> length, force;
 };
@@ -36,7 +34,7 @@ constexpr std::string_view guarantee =
 studies::ParameterRange range_of(const data::Case& problem, std::string_view parameter,
                                  std::string_view option, const std::optional<std::string>& text,
                                  double below, double above) {
-  if (text) return parse_range(option, *text);
+  if (text) return parse_range(option, parameter, *text);
   const double value = data::value_of(problem, parameter);
   return studies::range_below_buckling(problem, parameter, below * value, above * value);
 }
@@ -47,21 +45,9 @@ struct Ranges {
 };
 
 Ranges ranges_of(const data::Case& problem, const DesignOptions& options) {
-  const Ranges ranges{parse_band("--band", options.band),
-                      range_of(problem, "beam.length", "--length", options.length, 0.5, 2.0),
-                      range_of(problem, "beam.axial_force", "--force", options.force, 0.1, 10.0)};
-  const auto require_allowed = [&](const studies::ParameterRange& range, const std::string& key,
-                                   const std::string& option) {
-    for (const double end : {range.from, range.to}) {
-      auto overrides = overrides_of(options.problem);
-      overrides.push_back(override_with(key, end, option));
-      (void)data::load_case(options.problem.name, overrides);  // throws for what --set would refuse
-    }
-  };
-  require_allowed(ranges.band, "excitation.frequency_hz", "--band");
-  require_allowed(ranges.lengths, "beam.length", "--length");
-  require_allowed(ranges.forces, "beam.axial_force", "--force");
-  return ranges;
+  return {parse_range("--band", "excitation.frequency_hz", options.band, true),
+          range_of(problem, "beam.length", "--length", options.length, 0.5, 2.0),
+          range_of(problem, "beam.axial_force", "--force", options.force, 0.1, 10.0)};
 }
 
 // The case at the highest frequency of the band and that length.
@@ -114,14 +100,12 @@ Value resonances_of(const std::vector<studies::Resonance>& resonances) {
 Answer answer_of(const data::Case& problem, const studies::Design& design) {
   const auto& [force, limit, margin_bounds, worst_hz, evaluations, resonances, steady_margin] = design.margin;
   Answer answer(34);
-  answer.add_members({{"case", problem.name},
-                      {"band_hz", {design.band.from_hz, design.band.to_hz}},
+  answer.add_members({{"band_hz", {design.band.from_hz, design.band.to_hz}},
                       {"amplitude_m", problem.excitation.amplitude()},
                       {"duration_s", problem.numerics.duration()},
                       {"modes", problem.numerics.modes()}});
-  const std::string band = fmt::format("{} to {}", data::shortest_text(design.band.from_hz),
-                                       data::shortest_text(design.band.to_hz));
-  answer.add_line(fmt::format("{}, N = {}\n", conditions_of(problem, band), problem.numerics.modes()));
+  answer.add_line(
+      fmt::format("{}, {} modes\n", conditions_of(problem, design.band), problem.numerics.modes()));
   const auto judged = [](const analytic::Bounds& bounds) {
     Value margin = between(bounds);
     margin.text += bounds.lower < 1.0 ? ": slips" : ": sticks";  // on the safe side
@@ -146,14 +130,14 @@ Answer answer_of(const data::Case& problem, const studies::Design& design) {
 }
 
 Answer design(const DesignOptions& options, Outputs& outputs) {
-  const ExcitationOptions excitation{.frequency_hz = {}, .amplitude = options.amplitude};
-  data::Case problem = load_case(options.problem, excitation, options.duration);
+  data::Case problem = load_case(options.problem);
   data::require_rigid(problem.contact, "the design guide, whose tip is held; respond takes it");
   analytic::require_contact(problem.beam);
   const Ranges ranges = ranges_of(problem, options);
-  problem.numerics = numerics_up_to(ranges.band.to, options.problem, excitation, options.duration);
+  problem.numerics = numerics_up_to(ranges.band.to, options.problem);
   for (const double length : {problem.beam.length(), ranges.lengths.from})
     studies::require_feasible(at_the_end_of(problem, ranges.band, length), studies::Inquiry::design);
+  outputs.about(problem);
   outputs.open({});
   report::Progress& progress = outputs.progress();
   Answer answer =
@@ -170,8 +154,8 @@ void add_options(CLI::App& command, DesignOptions& options) {
   command.add_option("--band", options.band, "Excitation frequencies, Hz; both ends may be the same")
       ->type_name("FROM:TO")
       ->required();
-  command.add_option("--amplitude", options.amplitude, "Amplitude at all of them, m (else that of the case)")
-      ->check(number());
+  add_key_option(command, options.problem, "--amplitude", "excitation.amplitude",
+                 "Amplitude at all of them, m (else that of the case)");
   command
       .add_option("--length", options.length,
                   "Lengths to look at, m (default: half to twice that of the case, below buckling)")
@@ -181,7 +165,7 @@ void add_options(CLI::App& command, DesignOptions& options) {
                   "Axial forces to look at, N (default: a tenth to ten times that of the case, below "
                   "buckling)")
       ->type_name("FROM:TO");
-  command.add_option("--duration", options.duration, "Duration, s (else that of the case)")->check(number());
+  add_duration_option(command, options.problem);
   add_threads_option(command);
 }
 

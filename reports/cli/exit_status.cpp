@@ -5,6 +5,7 @@
 
 #include <exception>
 #include <new>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "output_file.hpp"
 #include "stickslip/data/input_error.hpp"
 #include "stickslip/data/input_text.hpp"
+#include "stickslip/data/mistakes.hpp"
 
 namespace stickslip::cli {
 
@@ -78,6 +80,10 @@ std::string mismatch(const CLI::App& app, const std::string& text) {
 int exit_status_of(const std::function<int()>& work) {
   try {
     return work();
+  } catch (const data::InputErrors& errors) {
+    std::istringstream lines(errors.what());
+    for (std::string line; std::getline(lines, line);) told(line, unusable);
+    return unusable;
   } catch (const data::InputError& error) {
     return told(error.what(), unusable);
   } catch (const OutputError& error) {

@@ -10,8 +10,7 @@
 #include "render/drawing.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "studies/common/problem_parameter.hpp"
-#include "studies/history/history_rows.hpp"
-#include "studies/history/spectrum.hpp"
+#include "studies/history/history.hpp"
 
 namespace stickslip::cli {
 

@@ -24,11 +24,9 @@ constexpr double usual_tolerance = 0.05;
 
 struct MapOptions {
   CaseOptions problem;
-  ExcitationOptions excitation;
   std::string x = "frequency=1:120:240";
   std::string y = "amplitude=5e-5:1e-3:20";
   std::optional<std::string> method;
-  std::optional<double> duration;
   bool states_only{};
   std::string quantity = verdict;
   std::optional<double> transient;
@@ -71,7 +69,7 @@ void require_consistent(const MapOptions& options, bool has_quantities) {
 studies::MapTask task_of(const MapOptions& options) {
   const auto quantities = quantities_of(options.quantity);
   require_consistent(options, !quantities.empty());
-  studies::MapTask task{.problem = load_case(options.problem, options.excitation, options.duration),
+  studies::MapTask task{.problem = load_case(options.problem),
                         .x = parse_axis("--x", options.x),
                         .y = parse_axis("--y", options.y),
                         .method = options.method == finite_element_method
@@ -81,10 +79,9 @@ studies::MapTask task_of(const MapOptions& options) {
                         .quantities = quantities,
                         .tolerance = options.tolerance.value_or(usual_tolerance)};
   for (const auto& [axis, option] : {std::pair(&task.x, "--x"), std::pair(&task.y, "--y")}) {
-    require_no_fixed_value(options.excitation, axis->parameter, option);
+    require_no_fixed_value(options.problem, axis->parameter, option);
     if (axis->parameter == "excitation.frequency_hz")
-      task.problem.numerics =
-          numerics_up_to(axis->values.back(), options.problem, options.excitation, options.duration);
+      task.problem.numerics = numerics_up_to(axis->values.back(), options.problem);
   }
   task.transient = options.transient.value_or(0.5 * task.problem.numerics.duration());
   data::require_rigid(task.problem.contact, "a map, whose tip is held or slides; respond takes it");
@@ -127,13 +124,13 @@ void add_motion_options(CLI::App& command, MapOptions& options) {
       .add_option(
           "--transient", options.transient,
           "What a quantity of the motion leaves out from the start, s (default: half of the duration)")
-      ->check(time());
+      ->transform(time());
   command
       .add_option(
           "--tolerance", options.tolerance,
           "Largest relative change of a quantity, with twice the time step and between the halves of the "
           "record, with which it counts as converged (default: 0.05)")
-      ->check(number());
+      ->transform(number());
 }
 
 void add_output_options(CLI::App& command, MapOptions& options) {
@@ -150,7 +147,7 @@ void add_output_options(CLI::App& command, MapOptions& options) {
 
 void add_options(CLI::App& command, MapOptions& options) {
   add_case_options(command, options.problem);
-  add_excitation_options(command, options.excitation);
+  add_excitation_options(command, options.problem);
   const std::string axis =
       "PARAMETER=FROM:TO:COUNT, in equal steps, or PARAMETER=FROM:TO:COUNT:log, in equal ratios; PARAMETER "
       "is one of " +
@@ -162,7 +159,7 @@ void add_options(CLI::App& command, MapOptions& options) {
                   "Closed form, or one linear finite-element run with the tip held for each evaluation "
                   "(default: closed-form)")
       ->check(one_of({"closed-form", "fe"}));
-  command.add_option("--duration", options.duration, "Duration, s (else that of the case)")->check(number());
+  add_duration_option(command, options.problem);
   command.add_flag("--states-only", options.states_only,
                    "Leave out the force ratio: only whether each cell sticks or slips");
   add_motion_options(command, options);

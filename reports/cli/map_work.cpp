@@ -11,10 +11,10 @@
 #include <system_error>
 
 #include "case_options.hpp"
+#include "map_part.hpp"
 #include "range_text.hpp"
 #include "render/criterion_map.hpp"
-#include "studies/analyses/map_estimate.hpp"
-#include "unfinished_map.hpp"
+#include "studies/analyses/criterion_map.hpp"
 
 namespace stickslip::cli {
 
@@ -31,7 +31,7 @@ std::ptrdiff_t converged_cells(const studies::CriterionMap& map) {
 }
 
 Json to_json(const studies::MapTask& task, const MapFiles& files) {
-  Json object{{"case", task.problem.name}};
+  Json object;
   if (task.quantities.empty()) {
     object["method"] =
         task.method == studies::MapMethod::closed_form ? closed_form_method : finite_element_method;
@@ -136,6 +136,7 @@ std::shared_ptr<UnfinishedMap> evaluate(const studies::MapTask& task, const MapP
 }  // namespace
 
 Answer whole_map(const studies::MapTask& task, const MapFiles& files, Outputs& outputs) {
+  outputs.about(task.problem);
   outputs.open({{"--output", files.output}, {"--figure", files.figure}});
   studies::MapEvaluations evaluations(studies::evaluation_count(task));
   const auto unfinished = evaluate(task, MapPart(), files, evaluations, outputs);
@@ -144,6 +145,7 @@ Answer whole_map(const studies::MapTask& task, const MapFiles& files, Outputs& o
 
 Answer part_of_map(const studies::MapTask& task, const MapPart& part, const MapFiles& files,
                    Outputs& outputs) {
+  outputs.about(task.problem);
   outputs.open({{"--output", files.output}, {"--figure", files.figure}});
   const bool found = holds_part(files.output, task, part);
   studies::MapEvaluations evaluations(studies::evaluation_count(task));
@@ -160,6 +162,7 @@ Answer part_of_map(const studies::MapTask& task, const MapPart& part, const MapF
 
 Answer merged_map(const std::vector<std::string>& parts, const MapFiles& files, Outputs& outputs) {
   const MergedMap map = merged(parts);
+  outputs.about(map.task.problem);
   outputs.open({{"--output", files.output}, {"--figure", files.figure}});
   return finish(map.task, map.evaluations, files, outputs);
 }
@@ -171,6 +174,7 @@ Answer cost_of_map(const studies::MapTask& task, const MapPart& part, Outputs& o
   if (numbers.empty())
     throw data::FieldError("--shard", fmt::format("{}/{}", part.part, part.parts),
                            fmt::format("of at most {} parts, the evaluations of this map", all));
+  outputs.about(task.problem);
   outputs.open({});
   const studies::MapEstimate estimate = studies::map_estimate(task, numbers);
   Answer answer;

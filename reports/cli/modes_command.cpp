@@ -53,10 +53,10 @@ Answer answer_of(const data::Case& problem, const ModesOptions& options,
                  const std::vector<studies::EstimatedFrequency>& frequencies) {
   Answer answer;
   const bool is_damped = studies::is_damped(problem);
-  answer.add_members({{"case", problem.name}, {"state", options.state}, {"method", options.method}});
+  answer.add_members({{"state", options.state}, {"method", options.method}});
   if (options.is_mesh()) answer.add_members({{"elements", problem.numerics.elements()}});
   answer.add_line(fmt::format(
-      "{}: {} state, {}\n\nmode  frequency / Hz", problem.name, options.state,
+      "{} state, {}\n\nmode  frequency / Hz", options.state,
       options.is_mesh() ? fmt::format("{} finite elements", problem.numerics.elements()) : "closed form"));
   Json hz = Json::array(), errors = Json::array();
   for (const auto& frequency : frequencies) {
@@ -74,8 +74,9 @@ Answer answer_of(const data::Case& problem, const ModesOptions& options,
 }
 
 Answer modes(const ModesOptions& options, Outputs& outputs) {
-  const data::Case problem = load_case(options.problem, {}, std::nullopt);
+  const data::Case problem = load_case(options.problem);
   data::require_rigid(problem.contact, "the modes, whose tip is held or free; respond takes it");
+  outputs.about(problem);
   outputs.open({{"--figure", options.figure}});
   if (outputs.has("--figure") && options.count > most_drawn)
     throw data::FieldError("--count", options.count, fmt::format("at most {} with --figure", most_drawn));

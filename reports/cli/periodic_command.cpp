@@ -18,7 +18,6 @@ namespace {
 
 struct PeriodicOptions {
   CaseOptions problem{.name = "reed"};
-  ExcitationOptions excitation;
   int periods = 1;
   int settle = 200;
 };
@@ -61,26 +60,24 @@ std::vector<LabelledValue> rows_of(const studies::Cycle& cycle) {
 }
 
 Answer periodic_motion(const PeriodicOptions& options, Outputs& outputs) {
-  const data::Case problem = load_case(options.problem, options.excitation, std::nullopt);
+  const data::Case problem = load_case(options.problem);
   data::require_rigid(problem.contact, "a periodic motion; respond takes it");
   if (options.periods > 1 && problem.excitation.amplitude() == 0.0)
     throw data::FieldError("--periods", options.periods, "1 where excitation.amplitude is 0: the base rests");
   const auto inquiry = studies::Inquiry::event_driven_history;
   studies::require_feasible(problem, inquiry);
+  outputs.about(problem);
   outputs.open({});
   outputs.progress().stage("following the motion until it settles");
   Answer answer(34);
-  answer.add_members({{"case", problem.name}});
-  answer.text = problem.name + ": ";
   add_cycle(answer, studies::cycle_of(problem, options.periods, options.settle));
-  answer.add_members({{"numerics", numerics_json(problem)}});
   answer.warnings = warnings_of(problem, inquiry);
   return answer;
 }
 
 void add_options(CLI::App& command, PeriodicOptions& options) {
   add_case_options(command, options.problem);
-  add_excitation_options(command, options.excitation);
+  add_excitation_options(command, options.problem);
   command.add_option("--periods", options.periods, "Periods of the base that the motion takes")
       ->check(integer_between(1, 1000))
       ->capture_default_str();

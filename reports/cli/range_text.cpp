@@ -9,6 +9,7 @@
 
 #include "case_options.hpp"
 #include "stickslip/data/input_text.hpp"
+#include "stickslip/data/units.hpp"
 
 namespace stickslip::cli {
 
@@ -24,21 +25,24 @@ constexpr int most_values = 2000;  // along one axis
                          allowed);
 }
 
-ParameterRange range_of(std::string_view option, std::string_view from, std::string_view to, bool zero,
-                        bool equal) {
-  const auto lower = parse<double>(from), upper = parse<double>(to);
-  if (!lower || !std::isfinite(*lower) || *lower < 0.0 || (*lower == 0.0 && !zero))
-    fail_unless(zero ? "a finite number of 0 or more" : "a finite number above 0", option, "FROM", from);
-  if (!upper || !std::isfinite(*upper) || *upper < *lower || (*upper == *lower && !equal))
-    fail_unless(fmt::format("a finite number {} FROM, {}", equal ? "not below" : "above", from), option, "TO",
-                to);
-  return {*lower, *upper};
+double number_in(std::string_view option, std::string_view part, std::string_view text,
+                 std::string_view unit) {
+  const auto value = data::quantity_in(text, unit);
+  if (!value) fail_unless(data::quantity_allowed(text, unit), option, part, text);
+  return *value;
 }
 
-ParameterRange from_to(std::string_view option, std::string_view text, bool equal) {
-  const auto parts = split(text, ':');
-  if (parts.size() != 2) fail_unless("FROM:TO", option, "the range", text);
-  return range_of(option, parts[0], parts[1], false, equal);
+ParameterRange range_of(std::string_view option, const data::Key& key, std::string_view from,
+                        std::string_view to, bool zero, bool equal) {
+  const double lower = number_in(option, "FROM", from, key.magnitudes.unit),
+               upper = number_in(option, "TO", to, key.magnitudes.unit);
+  if (!std::isfinite(lower) || lower < 0.0 || (lower == 0.0 && !zero))
+    fail_unless(zero ? "a finite number of 0 or more" : "a finite number above 0", option, "FROM", from);
+  if (!std::isfinite(upper) || upper < lower || (upper == lower && !equal))
+    fail_unless(fmt::format("a finite number {} FROM, {}", equal ? "not below" : "above", from), option, "TO",
+                to);
+  for (const double end : {lower, upper}) data::require_magnitude(key.path, end, std::string(option));
+  return {lower, upper};
 }
 
 const data::Key& axis_named(std::string_view option, std::string_view name) {
@@ -64,12 +68,10 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
   return parts;
 }
 
-ParameterRange parse_range(std::string_view option, std::string_view text) {
-  return from_to(option, text, false);
-}
-
-ParameterRange parse_band(std::string_view option, std::string_view text) {
-  return from_to(option, text, true);
+ParameterRange parse_range(std::string_view option, std::string_view key, std::string_view text, bool equal) {
+  const auto parts = split(text, ':');
+  if (parts.size() != 2) fail_unless("FROM:TO", option, "the range", text);
+  return range_of(option, data::key_named(key), parts[0], parts[1], false, equal);
 }
 
 std::string axis_text(const studies::MapAxis& axis) {
@@ -97,14 +99,35 @@ studies::MapAxis parse_axis(std::string_view option, std::string_view text) {
     fail_unless("PARAMETER=FROM:TO:COUNT or PARAMETER=FROM:TO:COUNT:log", option, "the axis", text);
   const data::Key& key = axis_named(option, text.substr(0, equals));
   const bool zero = key.axis.may_be_zero && !logarithmic;
-  const ParameterRange range = range_of(option, parts[0], parts[1], zero, false);
-  if (logarithmic && !std::isfinite(range.to / range.from))
-    fail_unless(fmt::format("at most 1e308 times FROM, {}", parts[0]), option, "TO", parts[1]);
+  const ParameterRange range = range_of(option, key, parts[0], parts[1], zero, false);
   const auto count = parse<int>(parts[2]);
   if (!count || *count < 2 || *count > most_values)
     fail_unless(fmt::format("an integer from 2 to {}", most_values), option, "COUNT", parts[2]);
-  for (const double end : {range.from, range.to}) data::require_magnitude(key.path, end, std::string(option));
   return studies::map_axis(key.path, range.from, range.to, *count, logarithmic);
+}
+
+std::pair<std::string, double> parse_tolerance(const std::string& text) {
+  const auto equals = text.find('=');
+  const std::string number = equals == std::string::npos ? text : text.substr(equals + 1);
+  const auto value = parse<double>(number);
+  if (!value || equals == 0)
+    throw data::FieldError("--tolerance", fmt::format("'{}'", data::printable(text)),
+                           "a number or QUANTITY=NUMBER, as in frequency=1e-3");
+  return {equals == std::string::npos ? "" : text.substr(0, equals), *value};
+}
+
+std::vector<std::pair<std::size_t, std::size_t>> parse_rows(const std::string& text) {
+  std::vector<std::pair<std::size_t, std::size_t>> ranges;
+  for (const std::string_view range : split(text, ',')) {
+    const auto colon = std::min(range.find(':'), range.size());
+    const auto first = parse<std::size_t>(range.substr(0, colon));
+    const auto last = colon < range.size() ? parse<std::size_t>(range.substr(colon + 1)) : first;
+    if (!first || !last)
+      throw data::FieldError("--rows", fmt::format("'{}'", data::printable(text)),
+                             "numbers of rows of the data set, as in 1:12 or 1:3,7");
+    ranges.emplace_back(*first, *last);
+  }
+  return ranges;
 }
 
 }  // namespace stickslip::cli

@@ -6,6 +6,7 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "studies/analyses/criterion_map.hpp"
@@ -16,9 +17,10 @@ namespace stickslip::cli {
 /// The parts between the separators, also empty ones: one more than there are separators.
 [[nodiscard]] std::vector<std::string_view> split(std::string_view text, char separator);
 
-/// "FROM:TO", two finite numbers above 0 with FROM below TO, or, for a band, not above it.
-[[nodiscard]] studies::ParameterRange parse_range(std::string_view option, std::string_view text);
-[[nodiscard]] studies::ParameterRange parse_band(std::string_view option, std::string_view text);
+/// "FROM:TO", two finite numbers above 0 with FROM below TO or, if they may be `equal`, not above it; of the magnitude that a case may
+/// have at the key, in SI units unless with a unit.
+[[nodiscard]] studies::ParameterRange parse_range(std::string_view option, std::string_view key,
+                                                  std::string_view text, bool equal = false);
 
 /// "PARAMETER=FROM:TO:COUNT" in equal steps, or "PARAMETER=FROM:TO:COUNT:log" in equal ratios; FROM may be 0
 /// in equal steps if the key may be. Throws data::InputError, too, for ends that no case may have.
@@ -29,5 +31,11 @@ namespace stickslip::cli {
 
 /// The parameters that an axis may have: "length (beam.length, m), ...".
 [[nodiscard]] std::string axis_help();
+
+/// --tolerance "QUANTITY=VALUE", or "VALUE" for all, whose name is empty.
+[[nodiscard]] std::pair<std::string, double> parse_tolerance(const std::string& text);
+
+/// --rows "1:12,15".
+[[nodiscard]] std::vector<std::pair<std::size_t, std::size_t>> parse_rows(const std::string& text);
 
 }  // namespace stickslip::cli

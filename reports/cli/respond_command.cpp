@@ -9,7 +9,7 @@
 #include "commands.hpp"
 #include "history_output.hpp"
 #include "studies/analyses/problem_warnings.hpp"
-#include "studies/history/runs.hpp"
+#include "studies/history/method.hpp"
 
 namespace stickslip::cli {
 
@@ -17,21 +17,16 @@ namespace {
 
 struct RespondOptions {
   CaseOptions problem;
-  ExcitationOptions excitation;
   std::string method = "fe";
   std::string initial_velocity = "quasi-static";
   std::optional<std::string> scheme;
-  std::optional<double> duration;
   HistoryOptions history;
 };
 
 Answer answer_of(const data::Case& problem, const RespondOptions& options, const studies::History& history,
                  const HistoryOutput& output) {
   Answer answer;
-  answer.add_members({{"program", program()},
-                      {"command", command_line()},
-                      {"case", problem.name},
-                      {"method", options.method},
+  answer.add_members({{"method", options.method},
                       {"frequency_hz", problem.excitation.frequency_hz()},
                       {"amplitude_m", problem.excitation.amplitude()},
                       {"duration_s", problem.numerics.duration()},
@@ -46,7 +41,6 @@ Answer answer_of(const data::Case& problem, const RespondOptions& options, const
     answer.add_members({{"integration_step_s", studies::boundary_integral_step(problem)},
                         {"largest_change_on_twice_the_step_m", optional_json(history.step_effect)}});
   if (options.method == "fe") answer.add_members({{"scheme", options.scheme.value_or("located")}});
-  answer.add_members({{"numerics", numerics_json(problem)}});
   answer.add_line(
       fmt::format("{} rows written to {}{}", output.rows(), options.history.output,
                   output.row_step() > 1 ? fmt::format(", one in {} time steps", output.row_step()) : ""));
@@ -58,13 +52,14 @@ Answer answer_of(const data::Case& problem, const RespondOptions& options, const
 }
 
 Answer respond(const RespondOptions& options, Outputs& outputs) {
-  const data::Case problem = load_case(options.problem, options.excitation, options.duration);
+  const data::Case problem = load_case(options.problem);
   const studies::Method& method = studies::method(options.method);
   studies::RunChoices choices;
   if (options.initial_velocity == "zero") choices.initial_velocity = solver::InitialVelocity::zero;
   if (options.scheme) choices.scheme = studies::contact_schemes().at(*options.scheme);
   if (!options.history.events.empty()) method.require(studies::Feature::slip, "--method", method.name);
   method.require(problem, choices);
+  outputs.about(problem);
   HistoryOutput output(problem, options.history, outputs);
   outputs.on_interrupt([&] {
     return fmt::format("interrupted at {} s of {} s; {}", data::shortest_text(output.time()),
@@ -85,7 +80,7 @@ Answer respond(const RespondOptions& options, Outputs& outputs) {
 
 void add_options(CLI::App& command, RespondOptions& options) {
   add_case_options(command, options.problem);
-  add_excitation_options(command, options.excitation);
+  add_excitation_options(command, options.problem);
   command
       .add_option(
           "--method", options.method,
@@ -105,7 +100,7 @@ void add_options(CLI::App& command, RespondOptions& options) {
                   "letter of the paper (threshold, no impulse); the last two show what the first is worth "
                   "(default: located)")
       ->check(one_of({"end-of-step", "located", "paper"}));
-  command.add_option("--duration", options.duration, "Duration, s (else that of the case)")->check(number());
+  add_duration_option(command, options.problem);
   command.add_option("--output", options.history.output, "CSV file, '-' for standard output")
       ->check(file_name())
       ->capture_default_str();
@@ -125,13 +120,13 @@ void add_options(CLI::App& command, RespondOptions& options) {
                       "the base, 20 in one of the first natural frequency and 2000 in all)")
           ->check(integer_between(1, 1'000'000'000));
   command.add_option("--rate", options.history.rate, "Write at least so many rows a second")
-      ->check(number())
+      ->transform(number("Hz"))
       ->excludes(every);
   command.add_option("--from", options.history.from, "Write and draw rows from this time on, s")
-      ->check(time())
+      ->transform(time())
       ->capture_default_str();
   command.add_option("--to", options.history.to, "Write and draw rows up to this time, s (else all)")
-      ->check(time());
+      ->transform(time());
 }
 
 }  // namespace

@@ -24,7 +24,6 @@ namespace {
 
 struct SquealOptions {
   CaseOptions problem{.name = "reed"};
-  std::optional<double> speed;
   int modes = 5;
   int settle = 200;
   std::string map, speeds, ratios, figure;
@@ -88,12 +87,12 @@ void add_verdict(Answer& answer, const studies::Squeal& squeal) {
                                   : ""));
 }
 
-Answer answer_of(const data::Case& problem, const studies::Squeal& squeal, const studies::Cycle& cycle) {
+Answer answer_of(const studies::Squeal& squeal, const studies::Cycle& cycle) {
   Answer answer(34);
   const Value mesh = rounded(squeal.finite_element_displacement, 7),
               tip = rounded(squeal.tip_displacement, 7);
-  answer.add_members({{"case", problem.name}, {"speed_m_per_s", squeal.speed}});
-  answer.add_line(fmt::format("{}: wall at {} m/s\n", problem.name, data::shortest_text(squeal.speed)));
+  answer.add_members({{"speed_m_per_s", squeal.speed}});
+  answer.add_line(fmt::format("wall at {} m/s\n", data::shortest_text(squeal.speed)));
   answer.add_row("steady sliding", {"closed form", "finite elements"});
   answer.add_row(
       {"friction force on beam / N", "friction_force_on_beam_N", rounded(squeal.friction_force, 7)});
@@ -106,16 +105,13 @@ Answer answer_of(const data::Case& problem, const studies::Squeal& squeal, const
   add_verdict(answer, squeal);
   answer.text += "from rest on the wall: ";
   add_cycle(answer, cycle, "cycle");
-  answer.add_members({{"numerics", numerics_json(problem)}});
   return answer;
 }
 
-std::vector<double> values_of(const std::string& option, const std::string& text, int count) {
-  const studies::ParameterRange range = parse_range(option, text);
-  std::vector<double> values;
-  for (int i = 0; i < count; ++i)
-    values.push_back(std::lerp(range.from, range.to, static_cast<double>(i) / (count - 1)));
-  return values;
+std::vector<double> values_in(std::string_view option, std::string_view key, const std::string& text,
+                              int count) {
+  const auto [from, to] = parse_range(option, key, text);
+  return studies::map_axis(key, from, to, count, false).values;
 }
 
 // A damping ratio is that of the modes of the case, which with the deflection of the tip have one root more.
@@ -144,24 +140,21 @@ std::string map_text(const data::Case& problem, const std::vector<double>& speed
 Answer steady_sliding(const SquealOptions& options, Outputs& outputs) {
   if (options.map.empty() && !options.figure.empty())
     throw data::InputError("--figure draws the map, but --map FILE is missing");
-  auto overrides = overrides_of(options.problem);
-  if (options.speed) overrides.push_back(override_with("wall.speed", *options.speed, "--speed"));
-  const data::Case problem = data::load_case(options.problem.name, overrides);
+  const data::Case problem = load_case(options.problem);
   data::require_rigid(problem.contact, "squeal; respond takes it");
   require_modes(problem, options.modes);
   const studies::Squeal squeal = studies::squeal_of(problem, options.modes);
   std::vector<double> speeds, ratios;
   if (!options.map.empty()) {
-    speeds = values_of("--speeds", options.speeds, options.count);
-    ratios = values_of("--ratios", options.ratios, options.count);
-    for (const double end : {speeds.front(), speeds.back()})
-      data::require_magnitude("wall.speed", end, "--speeds");
+    speeds = values_in("--speeds", "wall.speed", options.speeds, options.count);
+    ratios = values_in("--ratios", "damping.ratio", options.ratios, options.count);
     (void)data::Damping({.kelvin_voigt = problem.damping.kelvin_voigt(), .ratio = ratios.back()});
   }
+  outputs.about(problem);
   outputs.open({{"--map", options.map}, {"--figure", options.figure}});
   report::Progress& progress = outputs.progress();
   progress.stage("following the motion from rest");
-  Answer answer = answer_of(problem, squeal, studies::limit_cycle_of(problem, options.settle));
+  Answer answer = answer_of(squeal, studies::limit_cycle_of(problem, options.settle));
   answer.warnings = warnings_of(problem, studies::Inquiry::event_driven_history);
   add_warning(answer, studies::deflection_warning(problem.beam, squeal.tip_displacement));
   require_finite(answer.json);
@@ -175,8 +168,8 @@ Answer steady_sliding(const SquealOptions& options, Outputs& outputs) {
 
 void add_options(CLI::App& command, SquealOptions& options) {
   add_case_options(command, options.problem);
-  command.add_option("--speed", options.speed, "Speed of the wall, m/s (else that of the case)")
-      ->check(number());
+  add_key_option(command, options.problem, "--speed", "wall.speed",
+                 "Speed of the wall, m/s (else that of the case)");
   command.add_option("--modes", options.modes, "Number of modes to print")
       ->check(integer_between(1, 50))
       ->capture_default_str();

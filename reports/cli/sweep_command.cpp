@@ -12,7 +12,7 @@
 #include "range_text.hpp"
 #include "render/criterion_map.hpp"
 #include "render/drawing.hpp"
-#include "studies/analyses/parameter_sweep.hpp"
+#include "studies/analyses/contact_response.hpp"
 
 namespace stickslip::cli {
 
@@ -20,7 +20,6 @@ namespace {
 
 struct SweepOptions {
   CaseOptions problem;
-  ExcitationOptions excitation;
   std::string parameter = "amplitude=1e-4:1e-3:91";
   std::string direction = "both";
   int settle = 100;
@@ -65,10 +64,10 @@ std::string drawn(const report::CsvTable& table, const studies::SweepTask& task,
 
 studies::SweepTask task_of(const SweepOptions& options) {
   const studies::MapAxis axis = parse_axis("--parameter", options.parameter);
-  require_no_fixed_value(options.excitation, axis.parameter, "--parameter");
-  data::Case problem = load_case(options.problem, options.excitation, {});
+  require_no_fixed_value(options.problem, axis.parameter, "--parameter");
+  data::Case problem = load_case(options.problem);
   if (axis.parameter == "excitation.frequency_hz")
-    problem.numerics = numerics_up_to(axis.values.back(), options.problem, options.excitation, {});
+    problem.numerics = numerics_up_to(axis.values.back(), options.problem);
   data::require_rigid(problem.contact, "a sweep; respond takes it");
   studies::require_resting_wall(problem);
   return {.problem = problem,
@@ -88,8 +87,7 @@ Answer answer_of(const studies::SweepTask& task, const std::vector<studies::Swee
       "{} points written to {}{}{}", points.size(), options.output,
       has_both ? fmt::format("; hysteresis at {} of {} values", moving, task.values.size()) : "",
       resting > 0 ? fmt::format("; at {} the tip sticks at another place on the way back", resting) : ""));
-  answer.add_members({{"case", task.problem.name},
-                      {"parameter", axis_text({task.parameter, task.values})},
+  answer.add_members({{"parameter", axis_text({task.parameter, task.values})},
                       {"direction", options.direction},
                       {"settle_periods", task.settle},
                       {"periods", task.periods},
@@ -105,6 +103,7 @@ Answer answer_of(const studies::SweepTask& task, const std::vector<studies::Swee
 
 Answer sweep(const SweepOptions& options, Outputs& outputs) {
   const studies::SweepTask task = task_of(options);
+  outputs.about(task.problem);
   outputs.open({{"--output", options.output}, {"--figure", options.figure}});
   report::Progress& progress = outputs.progress();
   const auto points = studies::parameter_sweep(task, [&](double share) { progress(share); });
@@ -116,7 +115,7 @@ Answer sweep(const SweepOptions& options, Outputs& outputs) {
 
 void add_options(CLI::App& command, SweepOptions& options) {
   add_case_options(command, options.problem);
-  add_excitation_options(command, options.excitation);
+  add_excitation_options(command, options.problem);
   command
       .add_option("--parameter", options.parameter,
                   "PARAMETER=FROM:TO:COUNT, in equal steps, or with :log in equal ratios, as an axis of map")

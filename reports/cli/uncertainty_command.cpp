@@ -17,7 +17,6 @@ namespace {
 
 struct UncertaintyOptions {
   CaseOptions problem{.name = "uncertain"};
-  ExcitationOptions excitation;
   std::optional<std::string> band;
   studies::SlipSampling sampling;
 };
@@ -43,13 +42,12 @@ Value margin_of(const std::optional<double>& margin) {
 // What is asked, and how the samples came out.
 void add_samples(Answer& answer, const data::Case& problem, const UncertaintyOptions& options,
                  const studies::SlipUncertainty& result) {
-  answer.add_members({{"case", problem.name}});
   if (const auto& band = options.sampling.band)
     answer.add_members({{"band_hz", {band->from_hz, band->to_hz}}});
   else
     answer.add_members({{"frequency_hz", problem.excitation.frequency_hz()}});
-  answer.add_line(fmt::format("{}, N = {}; {} samples, seed {}\n",
-                              conditions_of(problem, options.band.value_or("")), problem.numerics.modes(),
+  answer.add_line(fmt::format("{}, {} modes; {} samples, seed {}\n",
+                              conditions_of(problem, options.sampling.band), problem.numerics.modes(),
                               options.sampling.samples, options.sampling.seed));
   answer.add_row("probability of slip",
                  {fmt::format("{}: {} of {}", with_interval(result.probability_of_slip, 5), result.slips,
@@ -158,7 +156,7 @@ Answer answer_of(const data::Case& problem, const UncertaintyOptions& options,
 
 Answer slip_probability(const UncertaintyOptions& given, Outputs& outputs) {
   UncertaintyOptions options = given;
-  const auto overrides = overrides_of(options.problem, options.excitation);
+  const auto overrides = overrides_of(options.problem);
   const auto file = data::find_case(options.problem.name);
   data::Case problem = data::read_case(file, overrides);
   data::require_rigid(problem.contact, "the probability of slip, whose tip is held; respond takes it");
@@ -166,16 +164,15 @@ Answer slip_probability(const UncertaintyOptions& given, Outputs& outputs) {
   for (const auto& replacement : overrides) fixed.push_back(replacement.key);
   const data::Uncertainty uncertainty = studies::without(data::read_uncertainty(file), fixed);
   if (options.band) {
-    const auto band = parse_band("--band", *options.band);
+    const auto band = parse_range("--band", "excitation.frequency_hz", *options.band, true);
     options.sampling.band = analytic::FrequencyBand{band.from, band.to};
-    for (const double end : {band.from, band.to})
-      data::require_magnitude("excitation.frequency_hz", end, "--band");
-    problem.numerics = numerics_up_to(band.to, options.problem, options.excitation, std::nullopt);
+    problem.numerics = numerics_up_to(band.to, options.problem);
     problem.excitation =
         data::HarmonicExcitation({.frequency_hz = band.to, .amplitude = problem.excitation.amplitude()});
   }
   const auto inquiry = options.band ? studies::Inquiry::design : studies::Inquiry::criterion;
   studies::require_feasible(problem, inquiry);
+  outputs.about(problem);
   outputs.open({});
   Answer answer = answer_of(
       problem, options,
@@ -186,7 +183,7 @@ Answer slip_probability(const UncertaintyOptions& given, Outputs& outputs) {
 
 void add_options(CLI::App& command, UncertaintyOptions& options) {
   add_case_options(command, options.problem);
-  add_excitation_options(command, options.excitation);
+  add_excitation_options(command, options.problem);
   command
       .add_option(
           "--band", options.band,

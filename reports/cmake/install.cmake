@@ -2,7 +2,7 @@
 # cmake --install: the program with its files, and the libraries for find_package(stickslip).
 include(CMakePackageConfigHelpers)
 
-set(shared_files ${CMAKE_INSTALL_DATADIR}/stickslip) # data/src/installation.cpp looks there
+set(shared_files ${CMAKE_INSTALL_DATADIR}/stickslip) # data/src/case_file.cpp looks there
 set(package_files ${CMAKE_INSTALL_LIBDIR}/cmake/stickslip)
 
 set(installed_libraries stickslip_data stickslip_files stickslip_solver stickslip_analytic)

@@ -19,7 +19,7 @@ do for [panel = 0:1] {
   set title (panel ? 'best' : 'usual settings')
   set lmargin at screen (panel ? 0.555 : 0.2)
   set rmargin at screen (panel ? 0.875 : 0.52)
-  set bmargin at screen 0.37
+  set bmargin at screen 0.39
   set tmargin at screen 0.94
   if (panel) { unset ytics; set colorbox } else { unset colorbox }
   cannot = "file using ($5 == 1 ? $3 : NaN):4:(0.45):(0.45) with boxxyerror fillstyle solid linecolor rgb '#BBBBBB'"

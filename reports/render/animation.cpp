@@ -19,7 +19,7 @@
 #include "stickslip/data/atomic_file.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "studies/common/problem_parameter.hpp"
-#include "studies/verification/beam_motion.hpp"
+#include "studies/verification/contact_histories.hpp"
 
 namespace stickslip::report {
 

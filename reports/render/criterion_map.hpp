@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "comparison/comparison.hpp"
 #include "render/csv_table.hpp"
 #include "render/drawing.hpp"
 #include "stickslip/data/problem.hpp"
@@ -25,5 +26,10 @@ using studies::to_string;
 
 /// The map drawn by gnuplot (figures/map.gp) from its table, as the bytes of a file. Throws std::runtime_error if gnuplot is missing or fails.
 [[nodiscard]] std::string draw(const CsvTable& table, const studies::CriterionMap& map, const Look& look);
+
+/// A comparison drawn by gnuplot (figures/comparison.gp), as the bytes of a file: for each quantity with
+/// points the reference with its band and theirs, and below them the difference with what is allowed.
+/// Throws std::runtime_error if gnuplot is missing or fails.
+[[nodiscard]] std::string draw(const comparison::Comparison& comparison, const Look& look);
 
 }  // namespace stickslip::report

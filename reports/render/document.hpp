@@ -5,6 +5,7 @@
 #include <string>
 
 #include "render/output_folder.hpp"
+#include "render/report.hpp"
 
 namespace stickslip::report {
 
@@ -24,5 +25,10 @@ void write_site(const std::filesystem::path& values, OutputFolder& output);
 /// Runs lualatex on vv-report.tex until references settle and moves vv-report.pdf in place. Throws
 /// std::runtime_error, with LaTeX's first error, if that fails or lualatex is missing.
 void typeset(const std::filesystem::path& sources, OutputFolder& output);
+
+/// What made the report, as JSON for the templates: version and commit, date (ISO 8601, UTC; SOURCE_DATE_EPOCH if that is
+/// set), compiler, libraries, system and tools.
+[[nodiscard]] std::string environment_json(const ReportOptions& options,
+                                           const std::filesystem::path& scratch);
 
 }  // namespace stickslip::report

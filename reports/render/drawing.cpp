@@ -8,8 +8,8 @@
 #include <system_error>
 
 #include "render/external_tool.hpp"
+#include "render/output_folder.hpp"
 #include "render/report.hpp"
-#include "render/temporary_folder.hpp"
 #include "stickslip/data/atomic_file.hpp"
 #include "stickslip/data/input_text.hpp"
 

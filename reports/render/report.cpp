@@ -12,14 +12,12 @@
 #include "render/drawing.hpp"
 #include "render/external_tool.hpp"
 #include "render/interruption.hpp"
-#include "render/json_text.hpp"
 #include "render/output_folder.hpp"
 #include "render/progress.hpp"
 #include "render/studies.hpp"
-#include "render/values.hpp"
+#include "render/study_table.hpp"
 #include "stickslip/data/atomic_file.hpp"
 #include "stickslip/data/case_file.hpp"
-#include "stickslip/data/installation.hpp"
 
 namespace stickslip::report {
 

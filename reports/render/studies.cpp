@@ -12,34 +12,65 @@
 #include "render/criterion_map.hpp"
 #include "render/report.hpp"
 #include "render/study_table.hpp"
+#include "stickslip/analytic/band_maximum.hpp"
+#include "stickslip/analytic/event_driven.hpp"
+#include "stickslip/analytic/force_maximum.hpp"
 #include "stickslip/data/atomic_file.hpp"
 #include "stickslip/data/csv_text.hpp"
 #include "stickslip/data/paper.hpp"
+#include "stickslip/data/problem.hpp"
+#include "stickslip/solver/energy_balance.hpp"
+#include "studies/analyses/criterion_answer.hpp"
 #include "studies/analyses/criterion_map.hpp"
-#include "studies/analyses/critical_amplitude.hpp"
 #include "studies/analyses/design_guide.hpp"
 #include "studies/analyses/length_force_map.hpp"
-#include "studies/common/described_types.hpp"
 #include "studies/common/problem_parameter.hpp"
 #include "studies/history/history_convergence.hpp"
-#include "studies/verification/beam_motion.hpp"
 #include "studies/verification/classification.hpp"
 #include "studies/verification/contact_histories.hpp"
 #include "studies/verification/damped_benchmark.hpp"
 #include "studies/verification/energy_audit.hpp"
-#include "studies/verification/event_order.hpp"
-#include "studies/verification/figure_curves.hpp"
 #include "studies/verification/force_maximum.hpp"
 #include "studies/verification/force_sensitivity.hpp"
 #include "studies/verification/frequencies.hpp"
 #include "studies/verification/manufactured_solution.hpp"
 #include "studies/verification/model_form.hpp"
 #include "studies/verification/paper_checks.hpp"
-#include "studies/verification/scheme_comparison.hpp"
+#include "studies/verification/proposed_rig.hpp"
 #include "studies/verification/scope.hpp"
 #include "studies/verification/solution_verification.hpp"
-#include "studies/verification/stick_history.hpp"
 #include "studies/verification/time_order.hpp"
+#include "validation/study.hpp"
+
+// The members of the problem, and of what both implementations return, as studies hand them on.
+
+namespace stickslip::data {
+STICKSLIP_MEMBERS(Beam, (length(), "m"), (area(), "m^2"), (second_moment_of_area(), "m^4"),
+                  (density(), "kg/m^3"), (youngs_modulus(), "Pa"), (axial_force(), "N"),
+                  (axial_direction(), "1"), (shear_stiffness(), "N"))
+STICKSLIP_MEMBERS(FrictionLaw, (static_coefficient(), "1"), (kinetic_coefficient(), "1"), (decay(), "s/m"),
+                  (viscous(), "s/m"))
+STICKSLIP_MEMBERS(ContactEvent, (change, "-"), (time, "s"), (position, "m"))
+STICKSLIP_MEMBERS(HarmonicExcitation, (frequency_hz(), "Hz"), (amplitude(), "m"))
+STICKSLIP_MEMBERS(NumericalSettings, (elements(), "1"), (time_step(), "s"), (spectral_radius(), "1"),
+                  (velocity_threshold(), "m/s"), (modes(), "1"), (duration(), "s"))
+STICKSLIP_MEMBERS(Case, (beam), (friction), (excitation), (numerics))
+STICKSLIP_MEMBERS(PrintedNumber, (id, "-"), (value), (unit, "-"), (printed, "-"), (printed_unit, "-"),
+                  (place, "-"), (meaning, "-"))
+}  // namespace stickslip::data
+
+namespace stickslip::analytic {
+STICKSLIP_MEMBERS(Bounds, (lower), (upper), (midpoint()))
+STICKSLIP_MEMBERS(FrequencyBand, (from_hz, "Hz"), (to_hz, "Hz"))
+STICKSLIP_MEMBERS(EventDrivenEnergy, (kinetic, "J"), (potential, "J"), (base_work, "J"), (follower_work, "J"),
+                  (damping_loss, "J"), (friction_loss, "J"))
+}  // namespace stickslip::analytic
+
+namespace stickslip::solver {
+STICKSLIP_MEMBERS(EnergyBalance, (kinetic, "J"), (elastic, "J"), (base_work, "J"), (follower_work, "J"),
+                  (damping_loss, "J"), (friction_loss, "J"), (capture_loss, "J"), (initial_energy, "J"),
+                  (change(), "J"), (residual(), "J"))
+}  // namespace stickslip::solver
 
 namespace stickslip::report {
 
@@ -78,6 +109,14 @@ const Result& Results::operator()(const Study<Result>& study) {
                      json_text(*std::any_cast<Result>(&result)));
   }
   return *std::any_cast<Result>(&result);
+}
+
+CsvTable comparison_table(const std::vector<validation::Comparison>& comparisons) {
+  return study_table(
+      "Measured and predicted: the error of the model lies in E +- 2 u_val", comparisons,
+      "experiment, record, quantity, form, measured as D, measured_uncertainty as u_D, predicted as S, "
+      "input_uncertainty as u_input, numerical_uncertainty as u_num, error as E, uncertainty as u_val, "
+      "is_resolved as resolved, unit");
 }
 
 void Results::run_all() {
@@ -244,6 +283,13 @@ const Study classification("classification", "classification of excitations (Fig
                                  studies::figure12_frequencies(), studies::figure12_amplitudes());
                            });
 
+const Study measured("validation", "measurements of others",
+                     [](Results& /*r*/) { return validation::comparisons(); });
+const Study measured_bias("validation_bias", "bias and spread of the models",
+                          [](Results& r) { return validation::biases(r(measured)); });
+const Study rig("rig", "what a rig should measure",
+                [](Results& /*r*/) { return studies::proposed_rig("rig"); });
+
 constexpr double shown_duration = 0.5;  // s
 const Study contact_histories("contact_histories", "stick-slip histories (Figs. 4 and 5)",
                               [](Results& r) { return studies::contact_histories(r.paper, shown_duration); });
@@ -259,7 +305,7 @@ const Study converged_histories("converged_histories", "converged histories", []
 
 const Study usual_practice("usual_practice", "undamped histories as they are usually computed",
                            [](Results& r) {
-                             std::vector<std::vector<studies::PracticeRun>> runs;
+                             std::vector<std::vector<studies::HistoryRun>> runs;
                              for (const auto& history : r(converged_histories))
                                runs.push_back(studies::usual_practice(r.paper, history));
                              return runs;
@@ -397,7 +443,7 @@ const Study model_variants(
       constexpr int lengths = 17;        // every 10 cm
       constexpr std::size_t stride = 5;  // of the axial forces
       constexpr double rigid = std::numeric_limits<double>::infinity();
-      std::vector<std::vector<studies::VariantPlane>> rows;
+      std::vector<std::vector<studies::ModelPlane>> rows;
       for (const studies::ModelVariant& variant :
            {studies::ModelVariant{10.0, 0.0}, {100.0, 0.0}, {1000.0, 0.0}, {rigid, 0.005}, {rigid, 0.02}})
         rows.push_back(
@@ -659,13 +705,13 @@ FigureData practice(Results& r) {
   for (std::size_t j = 0; j < r(converged_histories).size(); ++j) {
     const auto& converged = r(converged_histories)[j];
     data.values.push_back({fmt::format("hz{}", j + 1), converged.frequency_hz, "Hz"});
-    std::vector<studies::PracticeRun> runs = r(usual_practice)[j];
+    std::vector<studies::HistoryRun> runs = r(usual_practice)[j];
     runs.insert(runs.begin(), {.method = "converged", .tip_displacement = converged.tip});
     for (std::size_t k = 0; k < runs.size(); ++k)
       for (std::size_t n = 0; n < converged.time.size(); ++n) {
         table.add(converged.frequency_hz).add(static_cast<double>(k)).add(CsvText(runs[k].method));
         table.add(runs[k].elements).add(runs[k].time_step).add(runs[k].spectral_radius);
-        table.add(100.0 * runs[k].largest_error).add(converged.time[n]).add(runs[k].tip_displacement[n]);
+        table.add(100.0 * runs[k].error).add(converged.time[n]).add(runs[k].tip_displacement[n]);
         table.end_row();
       }
   }
@@ -776,6 +822,29 @@ FigureData scoreboard(Results& /*r*/) {
   return figure("scoreboard", std::move(table));
 }
 
+FigureData intervals(Results& r) {
+  FigureData data = figure("validation", comparison_table(r(measured)));
+  data.tables.push_back(
+      {"validation-bias",
+       study_table("Mean and standard deviation of E/D over all set points", r(measured_bias),
+                   "experiment, quantity, form, points, resolved, beyond, mean, spread")});
+  return data;
+}
+
+FigureData rig_drawing(Results& r) {
+  const data::Case problem = data::load_case("rig");
+  return figure(
+      "rig",
+      study_table(
+          "First frequency with the tip free, and the accuracy that decides on the direction of the force",
+          r(rig).frequencies, "length, load, following_hz, fixed_hz, accuracy"),
+      {{"beam_length", problem.beam.length(), "m"},
+       {"section_width", data::value_of(problem, "section.width"), "m"},
+       {"section_height", data::value_of(problem, "section.height"), "m"},
+       {"axial_force", problem.beam.axial_force(), "N"},
+       {"static_coefficient", problem.friction.static_coefficient(), "1"}});
+}
+
 FigureData map(Results& r) { return figure_of(stick_case(r), r(stiffness_map)); }
 
 }  // namespace
@@ -803,7 +872,9 @@ const std::vector<Figure>& all_figures() {
                                            {"fig13", figure13},
                                            {"fig14", figure14},
                                            {"map", map},
-                                           {"scoreboard", scoreboard}};
+                                           {"scoreboard", scoreboard},
+                                           {"validation", intervals},
+                                           {"rig", rig_drawing}};
   return figures;
 }
 

@@ -13,6 +13,7 @@
 
 #include "render/drawing.hpp"
 #include "stickslip/data/case_file.hpp"
+#include "validation/study.hpp"
 
 namespace stickslip::report {
 
@@ -41,6 +42,9 @@ class Results {
   std::filesystem::path folder_;
   std::map<std::string, std::any> results_;
 };
+
+/// The table of validation.gp.
+[[nodiscard]] CsvTable comparison_table(const std::vector<validation::Comparison>& comparisons);
 
 /// A figure: its name is that of figures/<name>.gp.
 struct Figure {

@@ -5,11 +5,20 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <stdexcept>
 
 namespace stickslip::report {
 
 namespace {
+
+// JSON has no such numbers; the library would write null.
+void spell_out_infinities(nlohmann::json& value) {
+  if (value.is_structured())
+    for (auto& part : value) spell_out_infinities(part);
+  else if (value.is_number_float() && !std::isfinite(value.get<double>()))
+    value = fmt::format("{}", value.get<double>());
+}
 
 using nlohmann::json;
 
@@ -115,6 +124,11 @@ CsvColumn csv_column(const json& units, const Column& column) {
 }
 
 }  // namespace
+
+std::string json_text(nlohmann::json value) {
+  spell_out_infinities(value);
+  return value.dump() + "\n";
+}
 
 CsvTable study_table(const std::string& title, const json& results, const json& units, std::string_view text,
                      TableShape shape) {

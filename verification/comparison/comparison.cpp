@@ -14,7 +14,6 @@
 
 #include "comparison/event_sequence.hpp"
 #include "comparison/groups.hpp"
-#include "comparison/points.hpp"
 #include "comparison/samples.hpp"
 #include "stickslip/data/input_error.hpp"
 

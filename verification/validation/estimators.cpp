@@ -10,6 +10,8 @@
 #include <tuple>
 #include <utility>
 
+#include "validation/models.hpp"
+
 namespace stickslip::validation {
 
 namespace {
@@ -284,6 +286,23 @@ Figures read_damper(const Record& record) {
   }
   Figures figures;
   for (const auto& [quantity, list] : values) figures[quantity] = mean_of(list, 0.0);
+  return figures;
+}
+
+Figures read_strip(const Record& spectrum) {
+  const double step = spectrum.time[1] - spectrum.time[0];
+  Figures figures;
+  for (const auto& [quantity, expected] : strip_frequencies(Strip{})) {
+    const auto at = [&](double frequency) {
+      return static_cast<std::size_t>(std::ranges::lower_bound(spectrum.time, frequency) -
+                                      spectrum.time.begin());
+    };
+    const auto band =
+        std::span(spectrum.force).subspan(at(0.85 * expected), at(1.15 * expected) - at(0.85 * expected));
+    if (band.empty()) continue;
+    const auto top = static_cast<std::size_t>(std::ranges::max_element(band) - band.begin());
+    figures[quantity] = {spectrum.time[at(0.85 * expected) + top], step / std::sqrt(12.0), 1};
+  }
   return figures;
 }
 

@@ -88,4 +88,9 @@ struct Slider {
 /// force on either side of zero; `peak_force`, N, the mean of the largest forces of both strokes.
 [[nodiscard]] Figures read_damper(const Record& record);
 
+/// Reads off the spectrum of a strip `frequency_1` to `frequency_4`, Hz: of the largest level within 15 % of each frequency of
+/// strip_frequencies() at its nominal dimensions. A spectrum tells frequencies one step apart: the uncertainty is that of a uniform
+/// distribution over a step.
+[[nodiscard]] Figures read_strip(const Record& spectrum);
+
 }  // namespace stickslip::validation

@@ -34,6 +34,20 @@ Values damper_loop(double amplitude, double slip_force, double contact_stiffness
           {"energy", 4.0 * slip_force * (amplitude - slip_force / contact_stiffness - 0.5 * play)}};
 }
 
+Values strip_frequencies(const Strip& strip) {
+  const double first = strip.height * std::sqrt(strip.modulus / (12.0 * strip.density)) /
+                       (2.0 * pi * strip.length * strip.length);
+  Values values;
+  for (int n = 1; n <= 4; ++n) {
+    double b = (n - 0.5) * pi;
+    // Newton's method for cos(b) + 1/cosh(b) = 0.
+    for (int i = 0; i < 8; ++i)
+      b += (std::cos(b) + 1.0 / std::cosh(b)) / (std::sin(b) + std::tanh(b) / std::cosh(b));
+    values["frequency_" + std::to_string(n)] = first * b * b;
+  }
+  return values;
+}
+
 Figures propagated(const std::function<Values(const std::vector<double>&)>& model,
                    const std::vector<Figure>& inputs) {
   std::vector<double> values;

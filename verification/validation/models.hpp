@@ -29,6 +29,17 @@ using Values = std::map<std::string, double>;
 /// b/2: slip_force = F, energy = 4 F (X - F/k_t - b/2) a cycle.
 [[nodiscard]] Values damper_loop(double amplitude, double slip_force, double contact_stiffness, double play);
 
+/// A clamped strip without axial load, its tip free.
+struct Strip {
+  double modulus{200e9};   ///< E, Pa
+  double density{7850.0};  ///< ρ, kg/m³
+  double length{0.759};    ///< L, m
+  double height{5.14e-3};  ///< h, m, in the direction of the vibration
+};
+
+/// `frequency_1` to `frequency_4`, Hz: b_n² h √(E/(12 ρ))/(2 π L²) with cosh(b_n) cos(b_n) = -1.
+[[nodiscard]] Values strip_frequencies(const Strip& strip);
+
 /// What a model says at its inputs, and the standard uncertainty by independent inputs to first order: the root of the sum of
 /// squares of half the differences between the model at value + uncertainty and value - uncertainty.
 [[nodiscard]] Figures propagated(const std::function<Values(const std::vector<double>&)>& model,

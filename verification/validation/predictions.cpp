@@ -120,6 +120,27 @@ void predict_damper(const SetPoint& point, const FigureTable& figures, const std
   all.push_back({point.record, "peak_force", "spring", force.value, force.uncertainty, 0.0, 2});
 }
 
+// By the dimensions and handbook values of steel, each with an assumed uncertainty; and with the stiffness by the first frequency.
+void predict_strip(const SetPoint& point, const FigureTable& figures, std::vector<Prediction>& all) {
+  const Strip nominal;
+  const auto drawn = propagated(
+      [](const std::vector<double>& x) {
+        return strip_frequencies({x[0], x[1], x[2], x[3]});
+      },
+      {{nominal.modulus, 5e9, 0},
+       {nominal.density, 50.0, 0},
+       {nominal.length, 0.5e-3, 0},
+       {nominal.height, 0.02e-3, 0}});
+  const Figure& first = figures.at({point.record, "frequency_1"});
+  for (const auto& [quantity, result] : drawn) {
+    all.push_back({point.record, quantity, "dimensions", result.value, result.uncertainty, 0.0, 3});
+    const double ratio = result.value / drawn.at("frequency_1").value;
+    if (quantity != "frequency_1")
+      all.push_back({point.record, quantity, "first-frequency", ratio * first.value,
+                     ratio * first.uncertainty, 0.0, 3});
+  }
+}
+
 }  // namespace
 
 std::vector<Prediction> predictions() {
@@ -132,6 +153,8 @@ std::vector<Prediction> predictions() {
     if (point.experiment == "paper-slider") {
       predict_slider(point, friction, {}, all);
       predict_slider(point, friction, moved_mass, all);
+    } else if (point.experiment == "strip") {
+      predict_strip(point, figures, all);
     } else if (point.role == "prediction") {
       predict_damper(point, figures, points, all);
     }

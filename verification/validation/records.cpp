@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <cstring>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string_view>
 #include <utility>
 
@@ -131,6 +132,20 @@ Record read_damper_record(const std::filesystem::path& file) {
     }
   } catch (const nlohmann::json::exception& error) {
     fail(file, std::string("must hold rows of numbers in `data`: ") + error.what());
+  }
+  require_increasing_times(file, record.time);
+  return record;
+}
+
+Record read_spectrum(const std::filesystem::path& file) {
+  std::istringstream text(data::read_bounded(file, most_bytes));
+  Record record;
+  // Behind the last heading, whose line begins with X_Value.
+  std::string line;
+  while (std::getline(text, line) && !line.starts_with("X_Value")) continue;
+  for (double frequency{}, level{}; text >> frequency >> level;) {
+    record.time.push_back(frequency);
+    record.force.push_back(level);
   }
   require_increasing_times(file, record.time);
   return record;

@@ -29,4 +29,8 @@ struct Record {
 /// (kip), here in m and N. Throws data::InputError for another form.
 [[nodiscard]] Record read_damper_record(const std::filesystem::path& file);
 
+/// A spectrum in the text format of LabVIEW's measurements: frequencies in Hz as times, levels in dB as forces. Throws
+/// data::InputError for another form.
+[[nodiscard]] Record read_spectrum(const std::filesystem::path& file);
+
 }  // namespace stickslip::validation

@@ -9,7 +9,6 @@
 #include "stickslip/data/csv_text.hpp"
 #include "stickslip/data/input_error.hpp"
 #include "stickslip/data/input_text.hpp"
-#include "stickslip/data/sha256.hpp"
 
 namespace stickslip::validation {
 
@@ -49,6 +48,18 @@ double number(const Row& row, const std::string& column) {
   return *value;
 }
 
+// Record, quantity and form.
+using Key = std::tuple<std::string, std::string, std::string>;
+
+Key key_of(const Prediction& one) { return {one.record, one.quantity, one.form}; }
+
+std::string unit_of(const std::string& quantity) {
+  static const std::map<std::string, std::string> units{
+      {"period", "s"}, {"fall_time", "s"}, {"slip_force", "N"}, {"peak_force", "N"}, {"energy", "J"}};
+  const auto found = units.find(quantity);
+  return found != units.end() ? found->second : quantity.starts_with("frequency") ? "Hz" : "1";
+}
+
 // The lines of predictions.csv that belong to an entry, as they stand.
 std::string lines_of_entry(const std::string& entry) {
   const std::string text = data::read_bounded(table("predictions.csv"), longest_file);
@@ -81,12 +92,24 @@ FigureTable measured_figures() {
   return figures;
 }
 
-Figures read_raw(const SetPoint& point, const std::filesystem::path& folder) {
-  const std::filesystem::path file = folder / point.file;
-  if (data::sha256(data::read_bounded(file, longest_file)) != point.sha256)
-    throw data::InputError(file.string() + ": is not the file that records.csv has the digest of");
-  return point.experiment == "paper-slider" ? read_slider(read_slider_record(file), point.slider())
-                                            : read_damper(read_damper_record(file));
+FigureTable raw_figures(const std::filesystem::path& folder) {
+  FigureTable all = measured_figures();
+  bool is_read = false;
+  for (const SetPoint& point : set_points()) {
+    const std::filesystem::path file = folder / point.file;
+    if (!std::filesystem::exists(file.parent_path())) continue;
+    is_read = true;
+    if (data::sha256(data::read_bounded(file, longest_file)) != point.sha256)
+      throw data::InputError(file.string() + ": is not the file that records.csv has the digest of");
+    const Figures figures = point.experiment == "paper-slider"
+                                ? read_slider(read_slider_record(file), point.slider())
+                            : point.experiment == "strip" ? read_strip(read_spectrum(file))
+                                                          : read_damper(read_damper_record(file));
+    for (const auto& [quantity, figure] : figures) all[{point.record, quantity}] = figure;
+  }
+  if (!is_read)
+    throw data::InputError(folder.string() + ": holds no folder of an experiment that records.csv names");
+  return all;
 }
 
 std::vector<Prediction> recorded_predictions() {
@@ -101,35 +124,67 @@ std::vector<Prediction> recorded_predictions() {
   return all;
 }
 
-double Comparison::error() const { return prediction.value - measured.value; }
+std::vector<std::string> unrecorded_predictions() {
+  // The rows hold six digits of a value and two of an uncertainty.
+  const auto near = [](double made, double recorded, double relative) {
+    return std::abs(made - recorded) <= relative * std::abs(recorded) + 1e-12;
+  };
+  std::map<Key, Prediction> latest;
+  for (const Prediction& one : recorded_predictions()) latest[key_of(one)] = one;
+  std::vector<std::string> all;
+  for (const Prediction& one : predictions()) {
+    const auto found = latest.find(key_of(one));
+    if (found == latest.end() || !near(one.value, found->second.value, 2e-5) ||
+        !near(one.input_uncertainty, found->second.input_uncertainty, 0.06) ||
+        !near(one.numerical_uncertainty, found->second.numerical_uncertainty, 0.06))
+      all.push_back(one.record + ", " + one.quantity + ", " + one.form + ": " + std::to_string(one.value) +
+                    " is not recorded");
+    if (found != latest.end()) latest.erase(found);
+  }
+  for (const auto& [key, one] : latest)
+    all.push_back(one.record + ", " + one.quantity + ", " + one.form +
+                  ": recorded, but not predicted any more");
+  return all;
+}
 
 double Comparison::uncertainty() const {
-  return std::hypot(measured.uncertainty, prediction.input_uncertainty, prediction.numerical_uncertainty);
+  return std::hypot(measured_uncertainty, input_uncertainty, numerical_uncertainty);
 }
 
 bool Comparison::is_resolved() const { return std::abs(error()) >= uncertainty(); }
 
 bool Comparison::contains_zero() const { return std::abs(error()) <= 2.0 * uncertainty(); }
 
-std::vector<Comparison> comparisons() {
-  const FigureTable figures = measured_figures();
+std::vector<Comparison> comparisons(const FigureTable& figures) {
   std::map<std::string, std::string> experiments;
   for (const SetPoint& point : set_points()) experiments[point.record] = point.experiment;
   std::vector<Comparison> all;
-  std::map<std::tuple<std::string, std::string, std::string>, std::size_t> places;
+  std::map<Key, std::size_t> places;
   for (const Prediction& one : recorded_predictions()) {
-    const auto [place, is_new] = places.try_emplace({one.record, one.quantity, one.form}, all.size());
+    const auto [place, is_new] = places.try_emplace(key_of(one), all.size());
     if (is_new) all.emplace_back();
-    all[place->second] = {experiments.at(one.record), one, figures.at({one.record, one.quantity})};
+    const Figure& figure = figures.at({one.record, one.quantity});
+    all[place->second] = {experiments.at(one.record),
+                          one.record,
+                          one.quantity,
+                          one.form,
+                          unit_of(one.quantity),
+                          figure.value,
+                          figure.uncertainty,
+                          one.value,
+                          one.input_uncertainty,
+                          one.numerical_uncertainty};
   }
   return all;
 }
 
 std::vector<Bias> biases(const std::vector<Comparison>& comparisons) {
   std::vector<Bias> all;
-  std::map<std::tuple<std::string, std::string, std::string>, std::vector<const Comparison*>> groups;
+  std::map<Key, std::vector<const Comparison*>> groups;
   for (const Comparison& one : comparisons)
-    groups[{one.experiment, one.prediction.quantity, one.prediction.form}].push_back(&one);
+    groups[{one.experiment, one.quantity.substr(0, one.quantity.find_last_not_of("_0123456789") + 1),
+            one.form}]
+        .push_back(&one);
   for (const auto& [key, group] : groups) {
     Bias bias{.experiment = std::get<0>(key),
               .quantity = std::get<1>(key),
@@ -137,12 +192,12 @@ std::vector<Bias> biases(const std::vector<Comparison>& comparisons) {
               .points = group.size()};
     const auto n = static_cast<double>(group.size());
     for (const Comparison* one : group) {
-      bias.mean += one->error() / one->measured.value / n;
+      bias.mean += one->error() / one->measured / n;
       if (one->is_resolved()) ++bias.resolved;
       if (!one->contains_zero()) ++bias.beyond;
     }
     for (const Comparison* one : group)
-      bias.spread += std::pow(one->error() / one->measured.value - bias.mean, 2) / std::max(1.0, n - 1.0);
+      bias.spread += std::pow(one->error() / one->measured - bias.mean, 2) / std::max(1.0, n - 1.0);
     bias.spread = std::sqrt(bias.spread);
     all.push_back(bias);
   }

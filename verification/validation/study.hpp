@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "studies/common/members.hpp"
 #include "validation/estimators.hpp"
 
 namespace stickslip::validation {
@@ -19,7 +20,7 @@ namespace stickslip::validation {
 /// A record and the conditions under which it was taken, a row of records.csv. Those of the other experiment are 0.
 struct SetPoint {
   std::string record;      ///< its name
-  std::string experiment;  ///< paper-slider or friction-damper
+  std::string experiment;  ///< paper-slider, friction-damper or strip
   std::string file;        ///< below the folder of all records
   std::string sha256;      ///< of the file
   std::string role;        ///< calibration or prediction
@@ -40,8 +41,9 @@ using FigureTable = std::map<std::pair<std::string, std::string>, Figure>;
 /// The figures that stand in figures.csv.
 [[nodiscard]] FigureTable measured_figures();
 
-/// The figures read off the raw file of a record. Throws data::InputError if its digest is not that of records.csv.
-[[nodiscard]] Figures read_raw(const SetPoint& point, const std::filesystem::path& folder);
+/// The figures read off the raw files below a folder, and those of figures.csv of the experiments that have no folder there. Throws
+/// data::InputError if there is none at all, and if the digest of a file is not that of records.csv.
+[[nodiscard]] FigureTable raw_figures(const std::filesystem::path& folder);
 
 /// What a model says of a quantity of a record.
 struct Prediction {
@@ -60,13 +62,21 @@ struct Prediction {
 /// Those of predictions.csv. Throws data::InputError for an entry whose rows are not those that log.csv has the digest of.
 [[nodiscard]] std::vector<Prediction> recorded_predictions();
 
+/// What the code predicts now and predictions.csv does not hold as its latest entry, a sentence for each: a new prediction needs a
+/// new entry with its reason.
+[[nodiscard]] std::vector<std::string> unrecorded_predictions();
+
 /// A prediction beside the figure measured.
 struct Comparison {
-  std::string experiment;
-  Prediction prediction;  ///< S, u_input, u_num
-  Figure measured;        ///< D, u_D
+  std::string experiment, record, quantity, form;
+  std::string unit;                ///< of all numbers; 1 for a pure one
+  double measured{};               ///< D
+  double measured_uncertainty{};   ///< u_D
+  double predicted{};              ///< S
+  double input_uncertainty{};      ///< u_input
+  double numerical_uncertainty{};  ///< u_num
 
-  [[nodiscard]] double error() const;        ///< E = S - D
+  [[nodiscard]] double error() const { return predicted - measured; }  ///< E = S - D
   [[nodiscard]] double uncertainty() const;  ///< u_val = √(u_D² + u_input² + u_num²)
   /// Whether |E| ≥ u_val: the error of the model lies in E ± 2 u_val. Otherwise nothing was resolved.
   [[nodiscard]] bool is_resolved() const;
@@ -74,9 +84,9 @@ struct Comparison {
 };
 
 /// Every recorded prediction, that of its latest entry, in the order of the table.
-[[nodiscard]] std::vector<Comparison> comparisons();
+[[nodiscard]] std::vector<Comparison> comparisons(const FigureTable& figures = measured_figures());
 
-/// Bias and spread of one quantity over all points of an experiment.
+/// Bias and spread of one quantity, of all modes together, over all points of an experiment.
 struct Bias {
   std::string experiment, quantity, form;
   std::size_t points{}, resolved{}, beyond{};  ///< all; with |E| ≥ u_val; with zero outside E ± 2 u_val
@@ -85,5 +95,12 @@ struct Bias {
 };
 
 [[nodiscard]] std::vector<Bias> biases(const std::vector<Comparison>& comparisons);
+
+STICKSLIP_MEMBERS(Comparison, (experiment, "-"), (record, "-"), (quantity, "-"), (form, "-"), (unit, "-"),
+                  (measured, "SI"), (measured_uncertainty, "SI"), (predicted, "SI"),
+                  (input_uncertainty, "SI"), (numerical_uncertainty, "SI"), (error(), "SI"),
+                  (uncertainty(), "SI"), (is_resolved(), "-"), (contains_zero(), "-"))
+STICKSLIP_MEMBERS(Bias, (experiment, "-"), (quantity, "-"), (form, "-"), (points, "1"), (resolved, "1"),
+                  (beyond, "1"), (mean, "1"), (spread, "1"))
 
 }  // namespace stickslip::validation

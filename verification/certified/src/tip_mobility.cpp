@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "stickslip/certified/tip_mobility.hpp"
+#include "stickslip/certified/complex.hpp"
 
 #include <stdexcept>
-
-#include "stickslip/certified/complex.hpp"
 
 namespace stickslip::certified {
 Mobility tip_mobility(const Beam& beam, const Real& sigma, const Real& omega, const Rational& kelvin_voigt) {

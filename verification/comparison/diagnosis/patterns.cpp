@@ -11,9 +11,9 @@
 #include <numbers>
 #include <set>
 
-#include "comparison/points.hpp"
+#include "comparison/samples.hpp"
 #include "stickslip/solver/modal_analysis.hpp"
-#include "studies/common/hertz.hpp"
+#include "studies/common/problem_parameter.hpp"
 
 namespace stickslip::comparison {
 

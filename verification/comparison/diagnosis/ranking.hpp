@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "comparison/hypothesis.hpp"
+#include "comparison/comparison.hpp"
 #include "stickslip/data/reference.hpp"
 
 namespace stickslip::comparison {

@@ -10,7 +10,6 @@
 #include "comparison/diagnosis/wrong_models.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "studies/verification/stick_sum.hpp"
-#include "studies/verification/tip_run.hpp"
 
 namespace stickslip::comparison {
 

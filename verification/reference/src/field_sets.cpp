@@ -17,7 +17,7 @@
 #include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/analytic/damped_steady_state.hpp"
 #include "stickslip/analytic/event_driven.hpp"
-#include "studies/history/runs.hpp"
+#include "studies/history/method.hpp"
 #include "studies/verification/damped_benchmark.hpp"
 #include "studies/verification/finite_element_contact_model.hpp"
 
@@ -336,13 +336,11 @@ studies::Sampling at_samples(const data::Case& problem, const std::function<doub
   return sampling;
 }
 
-Samples event_driven_samples(data::Case problem, int modes) {
-  data::NumericalChoices choices = problem.numerics.choices();
-  choices.modes = modes;
-  problem.numerics = data::NumericalSettings(choices);
+Samples event_driven_samples(const data::Case& problem, int modes) {
   const double rate = per_period * problem.excitation.frequency_hz();
   const studies::History history =
-      studies::event_driven_history(problem, at_samples(problem, [rate](int i) { return i / rate; }));
+      studies::event_driven_history(data::with_value(problem, "numerics.modes", modes),
+                                    at_samples(problem, [rate](int i) { return i / rate; }));
   return samples_of(history, history);
 }
 

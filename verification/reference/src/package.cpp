@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "sets.hpp"
-#include "stickslip/data/sha256.hpp"
+#include "stickslip/data/input_text.hpp"
 
 namespace stickslip::reference {
 
@@ -60,8 +60,8 @@ std::string csv_of(const DataSet& set) {
 const std::vector<Recipe>& recipes() {
   static const std::vector<Recipe> all = [] {
     std::vector<Recipe> list;
-    for (const auto& group : {enclosed_sets(), timoshenko_sets(), converged_sets(), field_sets(),
-                              undamped_sets(), exact_sets(), published_sets()})
+    for (const auto& group :
+         {enclosed_sets(), converged_sets(), field_sets(), exact_sets(), published_sets()})
       list.insert(list.end(), group.begin(), group.end());
     std::ranges::sort(list, {}, &Recipe::position);
     return list;

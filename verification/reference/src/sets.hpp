@@ -121,10 +121,8 @@ void compare_along(data::Resource& resource, std::string abscissa);
 
 /// The recipes of the data sets in each file.
 [[nodiscard]] std::vector<Recipe> enclosed_sets();
-[[nodiscard]] std::vector<Recipe> timoshenko_sets();
 [[nodiscard]] std::vector<Recipe> converged_sets();
 [[nodiscard]] std::vector<Recipe> field_sets();
-[[nodiscard]] std::vector<Recipe> undamped_sets();
 [[nodiscard]] std::vector<Recipe> exact_sets();
 [[nodiscard]] std::vector<Recipe> published_sets();
 

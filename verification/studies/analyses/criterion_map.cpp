@@ -5,19 +5,22 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <cstddef>
+#include <ctime>
 #include <limits>
 #include <numbers>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/damped_reaction.hpp"
 #include "stickslip/analytic/force_maximum.hpp"
-#include "stickslip/analytic/modal_reaction_table.hpp"
+#include "stickslip/analytic/modal_reaction.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "studies/common/parallel.hpp"
@@ -189,6 +192,27 @@ void complete(CriterionMap::Cell& cell, const MapEvaluation& evaluation, const F
   if (factors.amplitude * evaluation.unit_force->lower > limit) cell.state = CellState::stick_slip;
 }
 
+struct Seconds {
+  double processor{}, wall{};
+};
+
+Seconds seconds_for(const MapTask& task, std::span<const std::size_t> numbers, unsigned threads) {
+  const ThreadsForNow threads_for_now(threads);
+  MapEvaluations evaluations(evaluation_count(task));
+  const auto start = std::chrono::steady_clock::now();
+  const std::clock_t processor = std::clock();
+  evaluate(task, numbers, evaluations);
+  return {static_cast<double>(std::clock() - processor) / CLOCKS_PER_SEC,
+          std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()};
+}
+
+std::vector<std::size_t> sample_of(std::span<const std::size_t> numbers, std::size_t count) {
+  std::vector<std::size_t> sample;
+  for (const std::size_t index : share_of(numbers.size(), 1, numbers.size() / count))
+    sample.push_back(numbers[index]);
+  return sample;
+}
+
 }  // namespace
 
 std::string_view to_string(CellState state) noexcept {
@@ -310,6 +334,25 @@ CriterionMap criterion_map(const MapTask& task) {
   MapEvaluations evaluations(evaluation_count(task));
   evaluate(task, share_of(evaluations.size(), 1, 1), evaluations);
   return criterion_map(task, evaluations);
+}
+
+MapEstimate map_estimate(const MapTask& task, std::span<const std::size_t> numbers) {
+  constexpr double enough = 0.5, least = 1e-6;  // s
+  const Seconds preparation = seconds_for(task, {}, 1);
+  MapEstimate estimate{.evaluations = numbers.size(), .threads = thread_count(), .speedup = 1.0};
+  for (std::size_t count = std::min<std::size_t>(numbers.size(), std::size_t{4} * thread_count());;
+       count = std::min(2 * count, numbers.size())) {
+    const auto sample = sample_of(numbers, count);
+    const Seconds one = seconds_for(task, sample, 1);
+    if (one.processor < enough && sample.size() < numbers.size()) continue;
+    const auto net = [&](double seconds, double prepared) { return std::max(seconds - prepared, least); };
+    estimate.sample = sample.size();
+    estimate.seconds_each = net(one.processor, preparation.processor) / static_cast<double>(sample.size());
+    if (thread_count() > 1)
+      estimate.speedup = net(one.wall, preparation.wall) /
+                         net(seconds_for(task, sample, thread_count()).wall, preparation.wall);
+    return estimate;
+  }
 }
 
 }  // namespace stickslip::studies

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "stickslip/analytic/bounds.hpp"
+#include "stickslip/analytic/force_maximum.hpp"
 #include "stickslip/data/problem.hpp"
 #include "studies/analyses/contact_response.hpp"
 #include "studies/common/members.hpp"
@@ -111,5 +111,20 @@ void evaluate(const MapTask& task, std::span<const std::size_t> numbers, MapEval
 /// for a value that its field refuses, and data::InputError, naming beam.axial_force, if P ≤ 0 somewhere,
 /// or if the beam is buckled and neither axis is a number of it.
 [[nodiscard]] CriterionMap criterion_map(const MapTask& task);
+
+/// What evaluations of a map cost, from a sample that was timed.
+struct MapEstimate {
+  std::size_t evaluations{}, sample{};
+  double seconds_each{};  ///< processor time on one thread, without the preparation that all share
+  unsigned threads{};     ///< thread_count()
+  double speedup{};       ///< of the sample on that many threads over one, by the clock on the wall
+
+  [[nodiscard]] double core_hours() const { return static_cast<double>(evaluations) * seconds_each / 3600.0; }
+  [[nodiscard]] double hours() const { return core_hours() / speedup; }
+};
+
+/// Times a sample of these evaluations, evenly distributed, on one thread and then on thread_count(). On one thread
+/// the sample takes half a second of processor time or more, unless it is all of them. Throws what evaluate() throws.
+[[nodiscard]] MapEstimate map_estimate(const MapTask& task, std::span<const std::size_t> numbers);
 
 }  // namespace stickslip::studies

@@ -14,8 +14,8 @@
 #include "stickslip/analytic/damped_reaction.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "studies/analyses/length_force_map.hpp"
-#include "studies/common/hertz.hpp"
 #include "studies/common/parallel.hpp"
+#include "studies/common/problem_parameter.hpp"
 
 namespace stickslip::studies {
 

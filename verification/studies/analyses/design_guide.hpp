@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "stickslip/analytic/band_maximum.hpp"
-#include "stickslip/analytic/bounds.hpp"
+#include "stickslip/analytic/force_maximum.hpp"
 #include "stickslip/data/problem.hpp"
 #include "studies/common/members.hpp"
 #include "studies/common/problem_parameter.hpp"

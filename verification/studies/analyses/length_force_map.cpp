@@ -8,8 +8,8 @@
 
 #include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
-#include "studies/common/hertz.hpp"
 #include "studies/common/parallel.hpp"
+#include "studies/common/problem_parameter.hpp"
 
 namespace stickslip::studies {
 

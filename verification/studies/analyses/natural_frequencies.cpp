@@ -18,13 +18,13 @@ namespace {
 using analytic::TipSupport;
 using Shapes = std::vector<std::vector<double>>;
 
-constexpr double rounding = 4.0 * std::numeric_limits<double>::epsilon();
+constexpr double wave_number_rounding = 4.0 * std::numeric_limits<double>::epsilon();
 
 std::vector<EstimatedFrequency> frequencies_with_shear(const data::Beam& beam, TipSupport tip, int count) {
   std::vector<EstimatedFrequency> frequencies;
   const double load_share = std::max(0.0, beam.axial_force()) / analytic::stick_buckling_load(beam);
   for (const double omega : analytic::timoshenko_frequencies(beam, tip, count))
-    frequencies.push_back({omega / (2.0 * std::numbers::pi), rounding / (1.0 - load_share)});
+    frequencies.push_back({omega / (2.0 * std::numbers::pi), wave_number_rounding / (1.0 - load_share)});
   return frequencies;
 }
 
@@ -38,7 +38,7 @@ double slip_root_error(const data::Beam& beam, const analytic::SlipMode& mode) {
   const double slope = (analytic::slip_characteristic(beam, omega * (1.0 + relative_step)) -
                         analytic::slip_characteristic(beam, omega * (1.0 - relative_step))) /
                        (2.0 * relative_step);
-  return rounding * (1.0 + terms / std::abs(slope));
+  return wave_number_rounding * (1.0 + terms / std::abs(slope));
 }
 
 std::vector<solver::FiniteElementMode> mesh_modes(const solver::BeamModel& model, TipSupport tip, int count) {
@@ -72,7 +72,7 @@ std::vector<EstimatedFrequency> closed_form_frequencies(const data::Beam& beam, 
       frequencies.push_back({mode.frequency_hz(), slip_root_error(beam, mode)});
   else
     for (const auto& mode : analytic::stick_modes(beam, count))
-      frequencies.push_back({mode.frequency_hz(), rounding * mode.condition_number()});
+      frequencies.push_back({mode.frequency_hz(), wave_number_rounding * mode.condition_number()});
   return frequencies;
 }
 

@@ -15,7 +15,6 @@
 #include "stickslip/solver/beam_simulation.hpp"
 #include "studies/common/discretisation.hpp"
 #include "studies/common/problem_parameter.hpp"
-#include "studies/common/simpson.hpp"
 #include "studies/history/contact_growth.hpp"
 #include "studies/history/history_convergence.hpp"
 

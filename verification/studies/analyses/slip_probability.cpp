@@ -12,7 +12,7 @@
 #include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/damped_reaction.hpp"
 #include "stickslip/analytic/force_maximum.hpp"
-#include "stickslip/analytic/modal_reaction_table.hpp"
+#include "stickslip/analytic/modal_reaction.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "studies/common/parallel.hpp"
@@ -97,21 +97,7 @@ class Verdicts {
 
  private:
   [[nodiscard]] data::Case case_at(std::span<const double> values) const {
-    std::vector<std::pair<std::string_view, double>> numbers;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      require_finite(keys_[i].key, values[i]);
-      numbers.emplace_back(keys_[i].key, values[i]);
-    }
-    return with_values(problem_, numbers);
-  }
-
-  static void require_finite(const std::string& key, double value) {
-    if (!std::isfinite(value)) throw data::FieldError(key, value, "a finite number");
-    try {
-      data::require_magnitude(key, value, key);
-    } catch (const data::InputError&) {
-      throw data::FieldError(key, value, "of a magnitude that beams have");
-    }
+    return studies::case_at(problem_, keys_, values);
   }
 
   [[nodiscard]] analytic::ModalReaction reaction_of(const data::Case& problem) const {
@@ -276,7 +262,26 @@ void require_answerable(const data::Case& problem, const data::Uncertainty& unce
     throw data::InputError("the case is damped, but must have no damping with a band; design takes damping");
 }
 
+void require_finite(const std::string& key, double value) {
+  if (!std::isfinite(value)) throw data::FieldError(key, value, "a finite number");
+  try {
+    data::require_magnitude(key, value, key);
+  } catch (const data::InputError&) {
+    throw data::FieldError(key, value, "of a magnitude that beams have");
+  }
+}
+
 }  // namespace
+
+data::Case case_at(const data::Case& problem, const std::vector<data::UncertainKey>& keys,
+                   std::span<const double> values) {
+  std::vector<std::pair<std::string_view, double>> numbers;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    require_finite(keys[i].key, values[i]);
+    numbers.emplace_back(keys[i].key, values[i]);
+  }
+  return with_values(problem, numbers);
+}
 
 data::Uncertainty without(const data::Uncertainty& uncertainty, const std::vector<std::string>& keys) {
   std::vector<std::size_t> kept;

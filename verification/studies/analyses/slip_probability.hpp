@@ -8,6 +8,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -78,6 +79,10 @@ constexpr std::size_t most_quantile_samples = 10000;
                                                const data::Uncertainty& uncertainty,
                                                const SlipSampling& sampling,
                                                const std::function<void(double)>& progress = {});
+
+/// The case with a sample of the keys. Throws data::FieldError for values that no beam has.
+[[nodiscard]] data::Case case_at(const data::Case& problem, const std::vector<data::UncertainKey>& keys,
+                                 std::span<const double> values);
 
 /// What is uncertain without these keys, which are given.
 [[nodiscard]] data::Uncertainty without(const data::Uncertainty& uncertainty,

@@ -13,7 +13,7 @@
 #include "stickslip/solver/sliding_stability.hpp"
 #include "studies/analyses/contact_response.hpp"
 #include "studies/analyses/natural_frequencies.hpp"
-#include "studies/common/hertz.hpp"
+#include "studies/common/problem_parameter.hpp"
 
 namespace stickslip::studies {
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "studies/common/convergence.hpp"
 
+#include <fmt/format.h>
 #include <gsl/gsl_cdf.h>
 
 #include <algorithm>
@@ -71,6 +72,13 @@ double largest_difference(const std::vector<double>& a, const std::vector<double
   double largest = 0.0;
   for (std::size_t i = 0; i < a.size(); ++i) largest = largest_or_nan({largest, std::abs(a[i] - b[i])});
   return largest;
+}
+
+int common_digits(const analytic::Bounds& range) {
+  for (int digits = 15; digits > 0; --digits)
+    if (fmt::format("{:.{}e}", range.lower, digits - 1) == fmt::format("{:.{}e}", range.upper, digits - 1))
+      return digits;
+  return 0;
 }
 
 }  // namespace stickslip::studies

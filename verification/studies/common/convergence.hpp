@@ -5,6 +5,7 @@
 #include <initializer_list>
 #include <vector>
 
+#include "stickslip/analytic/force_maximum.hpp"
 #include "studies/common/members.hpp"
 
 namespace stickslip::studies {
@@ -48,5 +49,9 @@ STICKSLIP_MEMBERS(OrderEstimate, (order, "1"), (half_width, "1"), (levels, "1"))
 
 /// The largest absolute difference of two series of the same length, or NaN if one of the differences is.
 [[nodiscard]] double largest_difference(const std::vector<double>& a, const std::vector<double>& b);
+
+/// The largest number of significant digits, from 15 down to 1, at which both bounds round to the same value;
+/// 0 if they differ at one digit.
+[[nodiscard]] int common_digits(const analytic::Bounds& range);
 
 }  // namespace stickslip::studies

@@ -8,7 +8,6 @@
 #include <cstddef>
 
 #include "studies/common/problem_parameter.hpp"
-#include "studies/common/simpson.hpp"
 
 namespace stickslip::studies {
 

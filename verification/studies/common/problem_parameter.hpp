@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <numbers>
+
+#include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/data/key.hpp"
 
 namespace stickslip::studies {
@@ -34,5 +37,13 @@ void require_resting_wall(const data::Case& problem);
 
 /// Throws data::FieldError if the static coefficient is 0, because a force ratio or a margin divides by it.
 void require_friction(const data::Case& problem);
+
+inline constexpr double two_pi = 2.0 * std::numbers::pi;
+
+/// The natural frequency (Hz) of stick mode `mode` by the closed form, Eqs. (23) and (24). Throws what
+/// stick_modes() throws.
+[[nodiscard]] inline double stick_hz(const data::Beam& beam, int mode) {
+  return analytic::stick_modes(beam, mode).back().frequency_hz();
+}
 
 }  // namespace stickslip::studies

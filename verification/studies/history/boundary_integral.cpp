@@ -7,7 +7,7 @@
 #include "stickslip/analytic/stick_modes.hpp"
 #include "studies/common/convergence.hpp"
 #include "studies/common/problem_parameter.hpp"
-#include "studies/history/runs.hpp"
+#include "studies/history/method.hpp"
 
 namespace stickslip::studies {
 

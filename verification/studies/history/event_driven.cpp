@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "stickslip/analytic/event_driven.hpp"
 
+#include <cmath>
 #include <utility>
 
 #include "stickslip/analytic/beam_contact_model.hpp"
-#include "studies/history/runs.hpp"
+#include "studies/common/problem_parameter.hpp"
+#include "studies/history/method.hpp"
 
 namespace stickslip::studies {
 
@@ -67,6 +69,26 @@ History event_driven_history(const analytic::ContactModel& model, const std::vec
     history.rows.push_back(row_of(run));
   }
   set_events(history, events_of(run, model.wall_speed));
+  return history;
+}
+
+History closed_form_history(const data::Case& problem, const Sampling& sampling,
+                            analytic::SteadyPart steady_part, const RowSink& sink) {
+  const analytic::StickResponse response(problem.beam, problem.excitation, problem.numerics.modes(),
+                                         steady_part);
+  const double length = problem.beam.length(), limit = friction_limit(problem);
+  History history;
+  for_each_row(problem, sampling, [&](long, double time) {
+    HistoryRow row{.time = time,
+                   .base_displacement = response.base_displacement(time),
+                   .tip_displacement = response.absolute_displacement(length, time),
+                   .midspan_displacement = response.absolute_displacement(0.5 * length, time),
+                   .friction_force = response.friction_force(time)};
+    for (const double x : sampling.positions)
+      row.displacement.push_back(response.absolute_displacement(x, time));
+    if (!history.first_slip && std::abs(row.friction_force) > limit) history.first_slip = time;
+    add_row(history, sink, std::move(row));
+  });
   return history;
 }
 

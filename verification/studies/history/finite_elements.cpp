@@ -2,7 +2,7 @@
 #include <utility>
 
 #include "stickslip/solver/beam_simulation.hpp"
-#include "studies/history/runs.hpp"
+#include "studies/history/method.hpp"
 
 namespace stickslip::studies {
 

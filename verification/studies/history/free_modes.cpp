@@ -8,7 +8,7 @@
 
 #include "stickslip/analytic/beam_boundary_integral.hpp"
 #include "stickslip/analytic/slip_modes.hpp"
-#include "studies/history/runs.hpp"
+#include "studies/history/method.hpp"
 
 namespace stickslip::studies {
 

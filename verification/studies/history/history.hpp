@@ -101,4 +101,30 @@ STICKSLIP_MEMBERS(EventDifference, (time, "s"), (position, "m"))
 [[nodiscard]] data::Case refined(data::Case problem, int elements, double time_step, double duration,
                                  const std::optional<double>& spectral_radius = std::nullopt);
 
+// How dense the rows of a history must be for the eye and the ear.
+
+/// The number of time steps from row to row: the largest 1, 2 or 5 times a power of ten that leaves at least 100 rows in a
+/// period of the excitation, 20 in a period of the first natural frequency of the stick state and 2000 in the time `span` (s); or 1.
+/// Throws what modal_forces() throws.
+[[nodiscard]] long usual_row_step(const data::Case& problem, double span);
+
+// Amplitude spectra of a history.
+
+struct SpectrumLine {
+  double frequency_hz{};
+  double tip_displacement{};  ///< amplitude of y(L), m
+  double friction_force{};    ///< amplitude of f, N
+};
+
+/// The number of last rows, `every` time steps apart, that hold the whole periods of the base motion in the second half of
+/// the duration. Throws data::FieldError, naming excitation.duration, if that has less than two periods, and naming
+/// --every, if a period has less than two rows or if there are more than four million.
+[[nodiscard]] std::size_t spectrum_rows(const data::Case& problem, long every);
+
+/// The spectra of the last `rows` values, `row_step` (s) apart. Where a value jumps, as the force at a capture, the sum over rows is off: the
+/// error of an amplitude is up to the sum of the jumps in a period over the number of rows in it.
+[[nodiscard]] std::vector<SpectrumLine> spectrum_of(const std::vector<double>& tip_displacements,
+                                                    const std::vector<double>& friction_forces,
+                                                    std::size_t rows, double row_step);
+
 }  // namespace stickslip::studies

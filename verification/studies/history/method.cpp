@@ -12,7 +12,6 @@
 #include "stickslip/analytic/modal_reaction.hpp"
 #include "stickslip/data/input_error.hpp"
 #include "studies/common/problem_parameter.hpp"
-#include "studies/history/runs.hpp"
 
 namespace stickslip::studies {
 

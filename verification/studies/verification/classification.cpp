@@ -16,7 +16,7 @@ namespace stickslip::studies {
 namespace {
 
 constexpr int converged_modes = 60;
-constexpr int predicted_modes = 20;
+constexpr int predicted_vibrations = 20;
 
 ClassifiedFrequency classified_frequency(const data::Beam& beam, const data::FrictionLaw& friction,
                                          const data::NumericalSettings& numerics, double hz) {
@@ -27,7 +27,7 @@ ClassifiedFrequency classified_frequency(const data::Beam& beam, const data::Fri
   const analytic::StickResponse reference(beam, unit, converged_modes, analytic::SteadyPart::exact);
   const double truncated = criterion.force_max.midpoint();
   const double converged = reference.max_abs_friction_force(duration, 1e-8).midpoint();
-  const PredictedForce predicted(beam, unit, numerics, predicted_modes);
+  const PredictedForce predicted(beam, unit, numerics, predicted_vibrations);
   return {.frequency_hz = hz,
           .critical_amplitude = criterion.critical_amplitude.midpoint(),
           .relative_truncation_error = std::abs(truncated - converged) / converged,

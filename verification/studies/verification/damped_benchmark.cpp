@@ -8,8 +8,8 @@
 #include <stdexcept>
 
 #include "stickslip/analytic/beam_contact_model.hpp"
-#include "studies/common/hertz.hpp"
-#include "studies/history/runs.hpp"
+#include "studies/common/problem_parameter.hpp"
+#include "studies/history/method.hpp"
 #include "studies/verification/finite_element_contact_model.hpp"
 
 namespace stickslip::studies {

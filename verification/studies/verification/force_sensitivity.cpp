@@ -14,10 +14,9 @@
 
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
-#include "studies/common/common_digits.hpp"
 #include "studies/common/convergence.hpp"
 #include "studies/common/parallel.hpp"
-#include "studies/verification/printed_forces.hpp"
+#include "studies/verification/paper_checks.hpp"
 
 namespace stickslip::studies {
 

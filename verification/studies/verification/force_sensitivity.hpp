@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "stickslip/analytic/bounds.hpp"
+#include "stickslip/analytic/force_maximum.hpp"
 #include "stickslip/data/paper.hpp"
 #include "stickslip/data/problem.hpp"
 #include "studies/common/members.hpp"

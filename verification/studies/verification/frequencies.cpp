@@ -9,7 +9,7 @@
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/solver/modal_analysis.hpp"
 #include "studies/common/discretisation.hpp"
-#include "studies/common/hertz.hpp"
+#include "studies/common/problem_parameter.hpp"
 
 namespace stickslip::studies {
 

@@ -66,10 +66,9 @@ data::Case with_dead_load(const data::Case& problem) {
   return with_value(problem, "beam.axial_direction", 1.0);
 }
 
-AxialDirectionPlane direction_plane(const FigurePlane& figure, const CriterionMap& follower) {
+ModelPlane direction_plane(const FigurePlane& figure, const CriterionMap& follower) {
   const data::Case dead = with_dead_load(figure.problem);
-  AxialDirectionPlane plane;
-  plane.figures = figure.figures;
+  ModelPlane plane{.figures = figure.figures};
   count_cells(plane, follower, criterion_map({.problem = dead, .x = figure.x, .y = figure.y}));
   for (const CriterionMap::Cell& cell : follower.cells) {
     const data::Beam beam =
@@ -103,11 +102,9 @@ std::optional<double> unit_force(const data::Case& problem, const ModelVariant& 
   }
 }
 
-VariantPlane variant_plane(const FigurePlane& figure, const ModelVariant& variant) {
+ModelPlane variant_plane(const FigurePlane& figure, const ModelVariant& variant) {
   const MapAxis &x = figure.x, &y = figure.y;
-  VariantPlane plane;
-  plane.figures = figure.figures;
-  plane.variant = variant;
+  ModelPlane plane{.figures = figure.figures, .variant = variant};
   const bool y_is_factor = y.parameter == "excitation.amplitude";
   const std::size_t rows = y_is_factor ? 1 : y.values.size(), columns = x.values.size();
   const auto case_at = [&](std::size_t i, std::size_t j) {
@@ -144,9 +141,8 @@ ModelForm model_form(const data::Case& paper, const data::Case& half_stiffness,
     result.planes.push_back(direction_plane(figure, slender));
     data::Case sheared = figure.problem;
     sheared.beam = with_shear(sheared.beam);
-    ModelPlane& plane = result.shear.emplace_back();
-    plane.figures = figure.figures;
-    count_cells(plane, slender, criterion_map({.problem = sheared, .x = figure.x, .y = figure.y}));
+    count_cells(result.shear.emplace_back(ModelPlane{.figures = figure.figures}), slender,
+                criterion_map({.problem = sheared, .x = figure.x, .y = figure.y}));
   }
   const auto over_frequencies = [](const data::Case& problem) {
     return criterion_map({.problem = problem,
@@ -160,10 +156,10 @@ ModelForm model_form(const data::Case& paper, const data::Case& half_stiffness,
   return result;
 }
 
-std::vector<VariantPlane> variant_planes(const ModelVariant& variant, const data::Case& paper,
-                                         const data::Case& half_stiffness, const data::Case& flat_section,
-                                         int lengths, std::size_t stride) {
-  std::vector<VariantPlane> planes;
+std::vector<ModelPlane> variant_planes(const ModelVariant& variant, const data::Case& paper,
+                                       const data::Case& half_stiffness, const data::Case& flat_section,
+                                       int lengths, std::size_t stride) {
+  std::vector<ModelPlane> planes;
   for (const FigurePlane& figure : figure_planes(paper, half_stiffness, flat_section, lengths, stride))
     planes.push_back(variant_plane(figure, variant));
   return planes;

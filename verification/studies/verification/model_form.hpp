@@ -15,32 +15,36 @@
 
 namespace stickslip::studies {
 
+/// What takes the place of the rigid contact and the undamped beam; by default nothing.
+struct ModelVariant {
+  /// k_t over 3 EI/L³, the stiffness of the cantilever at its tip; infinite for a rigid contact
+  double stiffness_ratio{std::numeric_limits<double>::infinity()};
+  double damping_ratio{};  ///< damping.ratio
+};
+STICKSLIP_MEMBERS(ModelVariant, (stiffness_ratio, "1"), (damping_ratio, "1"))
+
 /// The criterion |f_max| ≤ μ_s P over the plane of a figure of the paper in another model against the model of the
 /// paper, closed form.
 struct ModelPlane {
-  std::string figures;     ///< "10 to 12"
+  std::string figures{};   ///< "10 to 12"
+  ModelVariant variant{};  ///< of variant_planes()
   std::size_t cells{};     ///< with a stick state in both models
   std::size_t to_stick{};  ///< of these, slipping in the model of the paper and sticking in the other
   std::size_t to_slip{};   ///< the other way round
   /// Cells that have a stable stick state in the model of the paper alone, and are in no other number here.
   std::size_t lost{};
+  std::size_t buckled{};  ///< for χ = 1: cells at which the sliding beam is at its buckling load or over it
   /// |f_max| in the other model over that in the model of the paper, over the cells.
   double lowest_ratio{std::numeric_limits<double>::infinity()}, highest_ratio{};
   [[nodiscard]] double flipped_share() const {
     return static_cast<double>(to_stick + to_slip) / static_cast<double>(cells);
   }
-};
-STICKSLIP_MEMBERS(ModelPlane, (figures, "-"), (lost, "1"), (flipped_share(), "1"))
-
-/// χ = 1 against χ = 0.
-struct AxialDirectionPlane : ModelPlane {
-  std::size_t buckled{};  ///< cells at which the sliding beam with χ = 1 is at its buckling load or over it
   [[nodiscard]] double buckled_share() const {
     return static_cast<double>(buckled) / static_cast<double>(cells);
   }
 };
-STICKSLIP_MEMBERS(AxialDirectionPlane, (figures, "-"), (lost, "1"), (lowest_ratio, "1"), (highest_ratio, "1"),
-                  (flipped_share(), "1"), (buckled_share(), "1"))
+STICKSLIP_MEMBERS(ModelPlane, (figures, "-"), (variant), (lost, "1"), (lowest_ratio, "1"),
+                  (highest_ratio, "1"), (flipped_share(), "1"), (buckled_share(), "1"))
 
 /// |f_max| with χ = 1 over that with χ = 0 at one frequency, numerics.duration() and modes() of the case.
 struct AxialDirectionForce {
@@ -50,7 +54,7 @@ STICKSLIP_MEMBERS(AxialDirectionForce, (frequency_hz, "Hz"), (ratio, "1"))
 
 struct ModelForm {
   std::vector<AxialDirectionForce> forces;  ///< of the paper's beam at the frequencies of Fig. 12
-  std::vector<AxialDirectionPlane> planes;  ///< Figs. 10 to 12, which share one plane, 13 and 14
+  std::vector<ModelPlane> planes;           ///< χ = 1 in Figs. 10 to 12, which share one plane, 13 and 14
   std::vector<ModelPlane> shear;            ///< the same planes, of the beams of with_shear()
 };
 STICKSLIP_MEMBERS(ModelForm, (forces), (planes), (shear))
@@ -60,25 +64,12 @@ STICKSLIP_MEMBERS(ModelForm, (forces), (planes), (shear))
 [[nodiscard]] ModelForm model_form(const data::Case& paper, const data::Case& half_stiffness,
                                    const data::Case& flat_section, int lengths);
 
-/// What takes the place of the rigid contact and the undamped beam.
-struct ModelVariant {
-  /// k_t over 3 EI/L³, the stiffness of the cantilever at its tip; infinite for a rigid contact
-  double stiffness_ratio{std::numeric_limits<double>::infinity()};
-  double damping_ratio{};  ///< damping.ratio
-};
-STICKSLIP_MEMBERS(ModelVariant, (stiffness_ratio, "1"), (damping_ratio, "1"))
-
-/// The variant against the rigid contact and the undamped beam, both with the exact steady part of the rigid contact. A law
-/// that falls with the velocity lets a compliant contact slip at less than μ_s P: that is not in here.
-struct VariantPlane : ModelPlane {
-  ModelVariant variant;
-};
-STICKSLIP_MEMBERS(VariantPlane, (variant), (lost, "1"), (flipped_share(), "1"))
-
-/// The variant on the planes of model_form(). Of Fig. 14 every `stride`-th axial force is taken.
-[[nodiscard]] std::vector<VariantPlane> variant_planes(const ModelVariant& variant, const data::Case& paper,
-                                                       const data::Case& half_stiffness,
-                                                       const data::Case& flat_section, int lengths,
-                                                       std::size_t stride = 1);
+/// The variant on the planes of model_form(), against the rigid contact and the undamped beam, both with the exact steady
+/// part of the rigid contact. A law that falls with the velocity lets a compliant contact slip at less than μ_s P: that is
+/// not in here. Of Fig. 14 every `stride`-th axial force is taken.
+[[nodiscard]] std::vector<ModelPlane> variant_planes(const ModelVariant& variant, const data::Case& paper,
+                                                     const data::Case& half_stiffness,
+                                                     const data::Case& flat_section, int lengths,
+                                                     std::size_t stride = 1);
 
 }  // namespace stickslip::studies

@@ -12,14 +12,12 @@
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "stickslip/solver/modal_analysis.hpp"
-#include "studies/analyses/critical_amplitude.hpp"
+#include "studies/analyses/criterion_answer.hpp"
 #include "studies/analyses/length_force_map.hpp"
-#include "studies/common/hertz.hpp"
+#include "studies/common/discretisation.hpp"
 #include "studies/common/problem_parameter.hpp"
-#include "studies/common/simpson.hpp"
 #include "studies/verification/force_maximum.hpp"
 #include "studies/verification/frequencies.hpp"
-#include "studies/verification/printed_forces.hpp"
 
 namespace stickslip::studies {
 

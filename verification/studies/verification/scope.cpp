@@ -11,7 +11,6 @@
 #include "stickslip/analytic/force_maximum.hpp"
 #include "stickslip/analytic/stick_response.hpp"
 #include "studies/analyses/problem_warnings.hpp"
-#include "studies/common/hertz.hpp"
 #include "studies/common/parallel.hpp"
 #include "studies/common/problem_parameter.hpp"
 

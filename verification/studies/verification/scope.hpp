@@ -7,10 +7,10 @@
 
 #include <vector>
 
-#include "stickslip/analytic/bounds.hpp"
+#include "stickslip/analytic/force_maximum.hpp"
 #include "stickslip/data/problem.hpp"
 #include "studies/common/members.hpp"
-#include "studies/history/converged_history.hpp"
+#include "studies/history/history_convergence.hpp"
 
 namespace stickslip::studies {
 

@@ -17,12 +17,11 @@
 #include "stickslip/solver/modal_analysis.hpp"
 #include "studies/analyses/length_force_map.hpp"
 #include "studies/common/discretisation.hpp"
-#include "studies/common/hertz.hpp"
 #include "studies/common/parallel.hpp"
 #include "studies/common/problem_parameter.hpp"
-#include "studies/history/runs.hpp"
+#include "studies/history/method.hpp"
 #include "studies/verification/contact_histories.hpp"
-#include "studies/verification/printed_forces.hpp"
+#include "studies/verification/paper_checks.hpp"
 
 namespace stickslip::studies {
 

@@ -13,7 +13,7 @@
 
 #include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/force_maximum.hpp"
-#include "stickslip/analytic/modal_reaction_table.hpp"
+#include "stickslip/analytic/modal_reaction.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/data/paper.hpp"

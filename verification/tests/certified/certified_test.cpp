@@ -18,8 +18,6 @@
 #include "stickslip/certified/complex.hpp"
 #include "stickslip/certified/force_maximum.hpp"
 #include "stickslip/certified/roots.hpp"
-#include "stickslip/certified/slip_modes.hpp"
-#include "stickslip/certified/tip_mobility.hpp"
 #include "support/error_message.hpp"
 #include "support/requirements.hpp"
 #include "support/tolerance.hpp"

@@ -158,7 +158,7 @@ TEST_F(CommandAnswers, AnimateTakesAsManyFramesAsThereAreTimeSteps) {
   expect_refused(options + "12", "at most one per time step of 1e-04 s, of which 0.001 s have 11");
   const Outcome outcome = run(options + "11");
   EXPECT_EQ(outcome.status, 0) << outcome.errors;
-  EXPECT_EQ(outcome.output, "11 frames written to film\n");
+  EXPECT_TRUE(holds(outcome.output, "\n11 frames written to film\n"));
 }
 
 // --- modes
@@ -406,14 +406,16 @@ TEST_F(CommandAnswers, SweepHasTheSectionOfEachValue) {
   const std::size_t moving = answer["values_with_hysteresis"],
                     resting = answer["values_that_stick_elsewhere"];
   EXPECT_EQ(moving + resting, differ);
-  EXPECT_EQ(run(command).output,
-            fmt::format("18 points written to sweep.csv; hysteresis at {} of 9 values{}\n", moving,
-                        resting == 0 ? ""
-                                     : fmt::format("; at {} the tip sticks at another place on the way back",
-                                                   resting)));
-  EXPECT_EQ(run(command + "--direction down --figure sweep.svg").output, "9 points written to sweep.csv\n");
-  const std::string drawn = contents("sweep.svg");
-  EXPECT_TRUE(drawn.starts_with(contents("sweep.csv")));
+  EXPECT_TRUE(holds(
+      run(command).output,
+      fmt::format("\n18 points written to sweep.csv; hysteresis at {} of 9 values{}\n", moving,
+                  resting == 0
+                      ? ""
+                      : fmt::format("; at {} the tip sticks at another place on the way back", resting))));
+  EXPECT_TRUE(holds(run(command + "--direction down --figure sweep.svg").output,
+                    "\n9 points written to sweep.csv\n"));
+  const std::string drawn = contents("sweep.svg"), table = contents("sweep.csv");
+  EXPECT_TRUE(drawn.substr(drawn.find('\n')).starts_with(table.substr(table.find('\n'))));
   EXPECT_TRUE(drawn.ends_with("\nlabel,excitation amplitude A_0 / mm,-\nlabel_scale,1000,1\n")) << drawn;
   // A base that does not move leaves zeros without a sign.
   EXPECT_EQ(csv(run("sweep damped --parameter amplitude=0:1e-4:2 --settle 0 --periods 1").output)[3],
@@ -481,7 +483,10 @@ TEST_F(CommandAnswers, DesignPrintsWhatItsJsonHolds) {
                                           answer["frequency_hz"].dump()));
   EXPECT_NEAR(criterion["force_max_N"]["lower"].get<double>(), force["lower"].get<double>(),
               1e-5 * force["lower"].get<double>());
-  EXPECT_TRUE(text.starts_with("paper-figure14: 24 to 26 Hz, 0.001 m, 0 to 2 s, N = 10\n")) << text;
+  EXPECT_TRUE(
+      text.starts_with("paper-figure14: 2 m, A = 10000 mm^2, I = 8.3333e+06 mm^4, abs, P = 500 N (0.594 % of "
+                       "buckling), mu 0.6/0.3\n24 to 26 Hz, 0.001 m, 0 to 2 s, 10 modes\n"))
+      << text;
   EXPECT_TRUE(holds(text, ": sticks\n"));
   EXPECT_TRUE(holds(text, "\nnatural frequencies in the band   none\n"));
 
@@ -517,7 +522,7 @@ TEST_F(CommandAnswers, DesignOfABandWithAResonanceSlips) {
   EXPECT_LT(answer["margin"]["upper"], 1.0);
   const std::string text =
       run("design paper --band 20:90 --length 1.9:2.1 --force 400:600 --duration 1").output;
-  EXPECT_TRUE(holds(text, "\nnatural frequencies in the band   1 at 24.97196, 2 at 81.07762\n"));
+  EXPECT_TRUE(holds(text, "\nnatural frequencies in the band   1 at 24.9720, 2 at 81.0776\n"));
   EXPECT_TRUE(holds(text, ": slips\n"));
   EXPECT_TRUE(holds(text, "slips: natural frequency 1, 2 in the band\n"));
 }
@@ -532,7 +537,7 @@ TEST_F(CommandAnswers, DesignBeyondTheBucklingLoadHasNoStickState) {
   EXPECT_NEAR(scan["intervals"].back()["from"], 84128.0, 1.0);
   const std::string text = run(command).output;
   for (const std::string& line :
-       {std::string(": sticks\nat / Hz                           21.00000\n"),
+       {std::string(": sticks\nat / Hz                           21.0000\n"),
         fmt::format("axial force / N at L = 2 m, ends to {:#.2g}\n400 ... ", scan["accuracy"].get<double>()),
         std::string("84128             slips, without a natural frequency in the band\n84128 ... 200000"),
         std::string("no stick state: P is at the buckling load 20.19 EI/L^2 or over it\n")})
@@ -668,14 +673,14 @@ TEST_F(CommandAnswers, SettingsFollowFromTheHighestFrequency) {
   ASSERT_EQ(design["natural_frequencies_in_band"].size(), 1u);
   EXPECT_EQ(design["natural_frequencies_in_band"][0]["mode"], 11);
   const std::string uncertainty = "uncertainty uncertain --samples 5 --set excitation.duration=0.1 --band ";
-  EXPECT_TRUE(holds(run(uncertainty + "2020:2040").output, fmt::format(", N = {}; 5 samples", modes)));
+  EXPECT_TRUE(holds(run(uncertainty + "2020:2040").output, fmt::format(", {} modes; 5 samples", modes)));
   for (const auto& [command, hz] :
        {std::pair{"map uncertain --x frequency=30:2040:2 --y amplitude=1e-6:1e-5:2 --duration 0.1 ", 2040},
         {"sweep uncertain --parameter frequency=500:600:2 --settle 0 --periods 1 ", 600}}) {
     const auto settings =
         json(fmt::format("respond uncertain --hz {} --duration 0.1 --every 1000 --output h.csv "
                          "--method closed-form",
-                         hz))["numerics"];
+                         hz))["problem"]["numerics"];
     const std::string answer = run(command).output;
     EXPECT_NE(answer, "");
     EXPECT_EQ(answer, run(fmt::format("{} --set numerics.modes={} --set numerics.time_step={}", command,
@@ -784,7 +789,7 @@ TEST_F(CommandAnswers, SquealMapsTheGrowthOverSpeedsAndRatios) {
                                            0.998 * critical, 1.004 * critical) +
                                "--figure map.svg")
                                .output;
-  EXPECT_EQ(contents("map.svg"), text);
+  EXPECT_TRUE(holds(text, contents("map.svg").substr(contents("map.svg").find('\n'))));
   const auto rows = csv(text);
   ASSERT_EQ(rows.size(), 3u + 3u * 4u) << text;
   for (std::size_t i = 0; i < 9; ++i) {
@@ -810,13 +815,13 @@ TEST_F(CommandAnswers, PeriodicSaysWhatItFindsOrWhyNot) {
   // On a fast wall the tip slides all the time, and goes with the base.
   const std::string fast = "periodic reed --set wall.speed=1.5 --set numerics.modes=2 ";
   const std::string sliding = run(fast + "--amplitude 1e-5 --hz 100 --periods 2").output;
-  EXPECT_TRUE(
-      sliding.starts_with("reed: a periodic motion, without stick\n\n"
-                          "period / s                        0.02\n"
-                          "frequency / Hz                    50\n"))
+  EXPECT_TRUE(holds(sliding,
+                    "mu 0.5/0.3\na periodic motion, without stick\n\n"
+                    "period / s                        0.02\n"
+                    "frequency / Hz                    50\n"))
       << sliding;
   EXPECT_TRUE(holds(sliding, "\nchanges of contact                0\n"));
-  EXPECT_EQ(run(fast).output, "reed: the tip slides steadily\n");
+  EXPECT_TRUE(holds(run(fast).output, "mu 0.5/0.3\nthe tip slides steadily\n"));
   const auto stuck = json("periodic paper --hz 15 --amplitude 1e-5 --settle 5");
   EXPECT_EQ(stuck["found"], false);
   EXPECT_EQ(stuck["reason"], "the tip sticks");

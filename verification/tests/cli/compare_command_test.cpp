@@ -78,6 +78,8 @@ TEST_F(ReferenceCommand, RefusesAPackageThatHasBeenAltered) {
   expect_refused("reference", "a subcommand of reference, one of list, show, export, is required");
 }
 
+using MeasurementOfACase = Drawing;
+
 class CompareCommand : public Drawing {
  protected:
   // `stickslip compare <set> <a file with this text> <options>`
@@ -97,6 +99,50 @@ class CompareCommand : public Drawing {
       "beam;Mode;Frequency [kHz]\r\npaper;1;0.02497196\r\npaper;2;0.0810776\r\n";
   static constexpr const char* printed = "beam,mode,frequency\npaper,1,1.607\npaper,2,7.231\npaper,3,16.03\n";
 };
+
+// The first frequency of the beam without damping is 24.97 Hz; sigma_E/(2 E) = 1 %, and the length and the load add a little.
+STICKSLIP_VERIFIES(MeasurementOfACase, "K3");
+TEST_F(MeasurementOfACase, HasTheFormOfTheComparisonsOfOthers) {
+  const auto compared = [&](const std::string& row, int status) {
+    std::ofstream("measured.csv") << "quantity,at,value,half_width\n" << row << "\n";
+    const Outcome outcome = run("compare measured.csv --case uncertain --samples 400 --json -");
+    EXPECT_EQ(outcome.status, status) << outcome.errors;
+    return nlohmann::json::parse(outcome.output)["comparisons"][0];
+  };
+  const auto hz = compared("stick_frequency,1,24.6,0.2", 0);
+  EXPECT_DOUBLE_EQ(hz["u_D"].get<double>(), 0.1);
+  EXPECT_NEAR(hz["S"].get<double>(), 24.97196, 1e-5);
+  EXPECT_NEAR(hz["E"].get<double>(), 0.37196, 1e-5);
+  EXPECT_NEAR(hz["u_input"].get<double>(), 0.01 * 24.97, 0.3 * 0.01 * 24.97);
+  EXPECT_NEAR(hz["u_val"].get<double>(),
+              std::hypot(0.1, hz["u_input"].get<double>(), hz["u_num"].get<double>()), 1e-12);
+  EXPECT_EQ(hz["resolved"], hz["E"].get<double>() >= hz["u_val"].get<double>());
+  EXPECT_EQ(compared("slip_frequency,2,10,0.1", 1)["resolved"], true);
+  const auto amplitude = compared("critical_amplitude,35,5.9e-4,1e-5", 0);
+  EXPECT_NEAR(amplitude["S"].get<double>(), 5.88e-4, 0.02e-4);
+  EXPECT_NEAR(amplitude["u_input"].get<double>() / amplitude["S"].get<double>(), 0.096,
+              0.02);  // 0.083 by mu_s
+}
+
+TEST_F(MeasurementOfACase, IsRefusedWithThePlaceThatIsWrong) {
+  const auto refused = [&](const std::string& text, const std::string& part,
+                           const std::string& options = "uncertain") {
+    std::ofstream("measured.csv") << text;
+    expect_refused("compare measured.csv --case " + options, part);
+  };
+  const std::string head = "quantity,at,value,half_width\n";
+  refused("quantity,at,value\n", "the columns must be quantity, at, value and half_width");
+  refused(head, "has no rows, but must have at least one");
+  refused(head + "frequency,1,2,3\n",
+          "measured.csv:2, column 1 (quantity) is frequency, but must be stick_frequency,");
+  refused(head + "stick_frequency,1.5,2,3\n", "column 2 (at) is 1.5, but must be the number of a mode");
+  refused(head + "stick_frequency,1,x,3\n", "column 3 (value) is x, but must be a finite number");
+  refused(head + "stick_frequency,1,0,3\n", "column 3 (value) is 0, but must be above 0");
+  refused(head + "stick_frequency,1,2,-3\n", "column 4 (half_width) is -3, but must be 0 or more");
+  refused(head + "critical_amplitude,0,2,3\n", "the column at: excitation.frequency_hz is 0");
+  refused(head + "stick_frequency,1,2,3\n", "--case excludes --tolerance", "uncertain --tolerance 1");
+  expect_refused("compare --case uncertain", "NAME is required");
+}
 
 STICKSLIP_VERIFIES(CompareCommand, "U1");
 TEST_F(CompareCommand, ReadsTheFilesThatRespondWrites) {

@@ -106,6 +106,31 @@ TEST_F(HelpExamples, AreThereForEveryCommandAndRun) {
   }
 }
 
+TEST_F(HelpExamples, AnswerInJsonAsTheSchemaSays) {
+  if (shell("python3 -c 'import jsonschema'").status != 0) GTEST_SKIP() << "python3-jsonschema is missing";
+  install_gnuplot("case $3 in\nanimation.gp)\n" + std::string(draw_all) +
+                  ";;\n*) echo drawn > $output ;;\nesac\n");
+  std::ofstream(path("judge.py")) << R"(import json, jsonschema, sys
+answer, schema = json.load(sys.stdin), json.load(open(sys.argv[1]))
+of_command = {"definitions": schema["definitions"], "$ref": "#/definitions/" + sys.argv[2]}
+for one in schema, of_command:
+    jsonschema.Draft7Validator(one).validate(answer)
+)";
+  int judged = 0;
+  for (const std::string& command : commands()) {
+    if (!holds(help(command), "Print one JSON object")) continue;
+    const std::string example = entries(help(command), "Examples:").front();
+    const std::string flag = example.find(" --json") == std::string::npos ? " --json" : "";
+    const Outcome outcome = shell(
+        fmt::format("PATH='{}':$PATH; {}{} 2> /dev/null | python3 judge.py {}/data/answers.schema.json {}",
+                    fs::path(STICKSLIP_PROGRAM).parent_path().string(), example, flag,
+                    STICKSLIP_SOURCE_DIRECTORY, command));
+    EXPECT_EQ(outcome.status, 0) << example << outcome.errors;
+    ++judged;
+  }
+  EXPECT_GE(judged, 11);
+}
+
 // "stickslip", "stickslip-map", "stickslip-reference-show"
 std::string page_of(const std::string& command) {
   std::string name = command.empty() ? "stickslip" : "stickslip " + command;

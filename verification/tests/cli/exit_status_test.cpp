@@ -11,10 +11,10 @@
 #include <stdexcept>
 #include <string>
 
+#include "map_part.hpp"
 #include "output_file.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "support/requirements.hpp"
-#include "unfinished_map.hpp"
 
 namespace stickslip::cli {
 namespace {

@@ -25,8 +25,8 @@
 #include "comparison/diagnosis/diagnosis.hpp"
 #include "program.hpp"
 #include "stickslip/data/case_file.hpp"
+#include "stickslip/data/input_text.hpp"
 #include "stickslip/data/reference.hpp"
-#include "stickslip/data/sha256.hpp"
 #include "stickslip/data/user_table.hpp"
 #include "support/command_line.hpp"
 #include "support/error_message.hpp"
@@ -141,7 +141,7 @@ constexpr Exception exceptions[] = {
     {"package key", "resources/*/diagnosis/case", "wrong type", "a case may have that name"},
 
     {"option", "@(stickslip|reference) --help", "!(unknown)", "help is given"},
-    {"option", "* CASE", "missing", "a case of the paper stands for none"},
+    {"option", "* @(CASE|CASES)", "missing", "a case of the paper stands for none"},
     {"option", "@(respond|animate|criterion|map|sweep|periodic) --amplitude", "zero", "nothing moves"},
     {"option", "sweep --settle", "zero", "nothing passes before the section"},
     {"option", "uncertainty --seed", "zero", "any seed will do"},
@@ -788,6 +788,7 @@ std::vector<Command> commands() {
           {"reference export", {{"NAME", set}, {"--package", fixture}, {"--output", "out.csv"}}},
           {"compare",
            {{"NAME", "damped-history"}, {"FILE", fixture + "/damped/history.csv"}, {"--package", fixture}}},
+          {"validate", {{"--output", "out.csv"}}},
           {"report", {{"--only", "fig2"}, {"--output", "report"}}},
           {"cases", {}}};
 }

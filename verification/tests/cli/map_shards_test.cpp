@@ -261,8 +261,8 @@ TEST_F(MapShards, RefuseWhatDoesNotGoTogether) {
   expect_refused("map --merge shard --states-only", "--merge");
   expect_refused("map --threads 0", "--threads is 0, but must be an integer from 1 to 1024");
   EXPECT_EQ(all_files("."), (std::vector<std::string>{"stderr", "stdout"}));
-  EXPECT_EQ(run(closed_form + shard(1'000'000, 1'000'000) + output("shard")).output,
-            "Shard 1000000 of 1000000, 0 of 15 evaluations, written to shard\n");
+  EXPECT_TRUE(holds(run(closed_form + shard(1'000'000, 1'000'000) + output("shard")).output,
+                    "\nShard 1000000 of 1000000, 0 of 15 evaluations, written to shard\n"));
 }
 
 TEST_F(MapShards, ShowABarOnATerminalUnlessQuiet) {
@@ -271,7 +271,7 @@ TEST_F(MapShards, ShowABarOnATerminalUnlessQuiet) {
   if (!said) GTEST_SKIP() << "the system gives no pseudo-terminal: " << std::strerror(errno);
   EXPECT_NE(said->find(bar), std::string::npos) << *said;
   EXPECT_NE(said->find("/s  0:0"), std::string::npos) << *said;
-  EXPECT_NE(said->find("\r\033[K90 cells written to"), std::string::npos) << *said;
+  EXPECT_NE(said->find("\r\033[Kpaper-figure14: "), std::string::npos) << *said;
   for (const std::string& quiet : {"--quiet " + closed_form, closed_form + "--quiet "})
     EXPECT_EQ(on_terminal(quiet + output("map.csv")).value().find('\033'), std::string::npos);
 }

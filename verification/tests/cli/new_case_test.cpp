@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "stickslip/data/case_file.hpp"
-#include "stickslip/data/default_numerics.hpp"
 #include "support/command_line.hpp"
 #include "support/requirements.hpp"
 

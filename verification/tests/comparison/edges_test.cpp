@@ -18,7 +18,6 @@
 #include "comparison/groups.hpp"
 #include "own_copy.hpp"
 #include "stickslip/data/input_text.hpp"
-#include "stickslip/data/sha256.hpp"
 #include "support/requirements.hpp"
 
 namespace stickslip::testing {

@@ -24,7 +24,7 @@
 #include "stickslip/solver/beam_simulation.hpp"
 #include "studies/common/discretisation.hpp"
 #include "studies/common/problem_parameter.hpp"
-#include "studies/verification/tip_run.hpp"
+#include "studies/verification/stick_sum.hpp"
 #include "support/beams.hpp"
 #include "support/contact_models.hpp"
 #include "support/requirements.hpp"

@@ -589,7 +589,6 @@ TEST_F(CaseShorthand, IsRefusedWhereItIsIncompleteOrGivenTwice) {
             "is 0.03");
   EXPECT_EQ(message("shape = 'square'\n"),
             "bar.toml:6: section.shape is 'square' (a string), but must be one of rectangle, circle, tube");
-  EXPECT_TRUE(message("").ends_with("beam.area is missing, but a case must hold it or the table [section]"));
 }
 
 TEST_F(CaseShorthand, IsRefusedAsAnOverrideWithoutAMeaning) {
@@ -601,7 +600,7 @@ TEST_F(CaseShorthand, IsRefusedAsAnOverrideWithoutAMeaning) {
       {"beam.area=3", "beam.area is 3 (an integer), but must be missing where section.shape is given"},
       {"beam.material=stel",
        "beam.material is stel (did you mean steel?), but must be one of steel, stainless-steel, aluminium, "
-       "titanium, glass, abs"},
+       "titanium, glass, abs, pp, pa6, pom, pmma, softwood"},
       {"beam.length=3 s",
        "beam.length is 3 s, but must be a number (m) or a text of a number and a unit: m, cm, mm, um, nm"}};
   for (const auto& [override, sentence] : overrides)

@@ -96,6 +96,11 @@ TEST(InputLimits, HasTheUnitsOfEveryQuantity) {
                                                              {"\u00b0", "rad", std::numbers::pi / 180.0},
                                                              {"J", "J", 1.0},
                                                              {"mJ", "J", 1e-3},
+                                                             {"kg/m3", "kg/m^3", 1.0},
+                                                             {"mm4", "m^4", 1e-12},
+                                                             {"N/mm^2", "Pa", 1e6},
+                                                             {"N/mm2", "Pa", 1e6},
+                                                             {"1/s", "Hz", 1.0},
                                                              {"%", "", 1e-2}}) {
     const auto unit = data::unit_named(name);
     ASSERT_TRUE(unit.has_value()) << name;

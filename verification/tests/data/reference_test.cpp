@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "stickslip/data/case_file.hpp"
+#include "stickslip/data/input_text.hpp"
 #include "stickslip/data/reference.hpp"
-#include "stickslip/data/sha256.hpp"
 #include "support/input_folder.hpp"
 #include "support/requirements.hpp"
 #include "support/tolerance.hpp"

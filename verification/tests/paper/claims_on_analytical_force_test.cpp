@@ -9,7 +9,7 @@
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/solver/beam_model.hpp"
 #include "stickslip/solver/modal_analysis.hpp"
-#include "studies/verification/stick_history.hpp"
+#include "studies/verification/contact_histories.hpp"
 #include "support/beams.hpp"
 #include "support/claims.hpp"
 #include "support/paper_case.hpp"

@@ -5,7 +5,7 @@
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/data/paper.hpp"
-#include "studies/analyses/critical_amplitude.hpp"
+#include "studies/analyses/criterion_answer.hpp"
 #include "studies/verification/classification.hpp"
 #include "studies/verification/force_maximum.hpp"
 #include "studies/verification/frequencies.hpp"

@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "stickslip/data/toml_record.hpp"
+#include "stickslip/data/toml_file.hpp"
 #include "support/requirements.hpp"
 
 namespace stickslip::testing {

@@ -13,9 +13,9 @@
 #include <vector>
 
 #include "render/document.hpp"
-#include "render/json_text.hpp"
 #include "render/output_folder.hpp"
 #include "render/report.hpp"
+#include "render/study_table.hpp"
 #include "stickslip/data/atomic_file.hpp"
 #include "stickslip/data/input_error.hpp"
 #include "support/error_message.hpp"

@@ -2,7 +2,7 @@
 /// The direction of the axial force, chi, in both implementations: 0 follows the tip, 1 keeps its direction.
 
 #include "stickslip/analytic/damped_steady_state.hpp"
-#include "stickslip/analytic/modal_reaction_table.hpp"
+#include "stickslip/analytic/modal_reaction.hpp"
 #include "stickslip/analytic/slip_modes.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/analytic/tip_mobility.hpp"

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 /// The motion of the whole beam by finite elements against the continuous beam (Fig. 3).
 
-#include "studies/verification/beam_motion.hpp"
+#include "studies/verification/contact_histories.hpp"
 
 #include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "studies/common/discretisation.hpp"
-#include "studies/history/runs.hpp"
+#include "studies/history/method.hpp"
 #include "support/beams.hpp"
 #include "support/testing.hpp"
 

@@ -9,8 +9,8 @@
 #include "stickslip/analytic/slip_modes.hpp"
 #include "stickslip/analytic/stick_response.hpp"
 #include "studies/common/convergence.hpp"
-#include "studies/history/converged_history.hpp"
-#include "studies/history/runs.hpp"
+#include "studies/history/history_convergence.hpp"
+#include "studies/history/method.hpp"
 #include "support/beams.hpp"
 #include "support/paper_case.hpp"
 #include "support/testing.hpp"
@@ -181,11 +181,11 @@ TEST(ConvergedHistory, FallsWithTheStepAndCoversWhatFinerStepsFind) {
     EXPECT_EQ(history.levels[level].time_step, 2.0 * history.levels[level - 1].time_step);
   }
   EXPECT_DOUBLE_EQ(history.largest_half_width(),
-                   2.0 * std::max(history.levels[1].difference, history.levels[4].difference));
+                   2.0 * std::max(history.levels[1].error, history.levels[4].error));
   EXPECT_TRUE(std::ranges::is_sorted(history.tip_half_width));
   EXPECT_TRUE(std::ranges::is_sorted(history.midspan_half_width));
-  EXPECT_LT(history.levels[1].difference, history.levels[3].difference);
-  EXPECT_LT(history.levels[4].difference, history.levels[7].difference);
+  EXPECT_LT(history.levels[1].error, history.levels[3].error);
+  EXPECT_LT(history.levels[4].error, history.levels[7].error);
   EXPECT_LT(finer.largest_half_width(), 0.5 * history.largest_half_width());
   EXPECT_TRUE(within(history.first_stick.end, finer.first_stick.end,
                      reference(history.first_stick.end_half_width, "half-width")));

@@ -6,7 +6,7 @@
 #include "stickslip/analytic/damped_reaction.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
-#include "studies/history/runs.hpp"
+#include "studies/history/method.hpp"
 #include "studies/verification/model_form.hpp"
 #include "support/contact_models.hpp"
 #include "support/error_message.hpp"

@@ -9,7 +9,6 @@
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/data/reference.hpp"
 #include "studies/analyses/criterion_map.hpp"
-#include "studies/analyses/parameter_sweep.hpp"
 #include "support/contact_models.hpp"
 #include "support/testing.hpp"
 

@@ -12,7 +12,6 @@
 #include "stickslip/solver/beam_simulation.hpp"
 #include "studies/analyses/criterion_map.hpp"
 #include "studies/analyses/length_force_map.hpp"
-#include "studies/analyses/map_estimate.hpp"
 #include "studies/common/discretisation.hpp"
 #include "studies/common/parallel.hpp"
 #include "studies/common/problem_parameter.hpp"

@@ -3,14 +3,12 @@
 /// shows.
 
 #include "stickslip/data/paper.hpp"
-#include "studies/analyses/critical_amplitude.hpp"
+#include "studies/analyses/criterion_answer.hpp"
 #include "studies/common/problem_parameter.hpp"
-#include "studies/verification/beam_motion.hpp"
 #include "studies/verification/classification.hpp"
 #include "studies/verification/contact_histories.hpp"
 #include "studies/verification/damped_benchmark.hpp"
 #include "studies/verification/energy_audit.hpp"
-#include "studies/verification/figure_curves.hpp"
 #include "studies/verification/force_maximum.hpp"
 #include "studies/verification/frequencies.hpp"
 #include "support/paper_case.hpp"

@@ -3,8 +3,8 @@
 /// from event to event.
 
 #include "stickslip/analytic/beam_contact_model.hpp"
-#include "studies/history/runs.hpp"
-#include "studies/verification/event_order.hpp"
+#include "studies/history/method.hpp"
+#include "studies/verification/time_order.hpp"
 #include "support/beams.hpp"
 #include "support/damped_benchmark.hpp"
 #include "support/order.hpp"

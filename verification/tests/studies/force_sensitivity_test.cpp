@@ -4,7 +4,7 @@
 #include "studies/verification/force_sensitivity.hpp"
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/data/case_file.hpp"
-#include "studies/common/common_digits.hpp"
+#include "studies/common/convergence.hpp"
 #include "support/beams.hpp"
 #include "support/testing.hpp"
 

@@ -8,8 +8,8 @@
 #include "stickslip/analytic/beam_boundary_integral.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "studies/common/convergence.hpp"
-#include "studies/history/runs.hpp"
-#include "studies/history/spectrum.hpp"
+#include "studies/history/history.hpp"
+#include "studies/history/method.hpp"
 #include "support/error_message.hpp"
 #include "support/testing.hpp"
 

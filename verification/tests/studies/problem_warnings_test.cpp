@@ -10,7 +10,7 @@
 #include "stickslip/solver/beam_simulation.hpp"
 #include "studies/common/discretisation.hpp"
 #include "studies/common/problem_parameter.hpp"
-#include "studies/history/runs.hpp"
+#include "studies/history/method.hpp"
 #include "support/error_message.hpp"
 #include "support/testing.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// What the three contact schemes make of the paper's beam at 25 Hz and 1 mm.
 
-#include "studies/verification/scheme_comparison.hpp"
+#include "studies/verification/energy_audit.hpp"
 #include "support/beams.hpp"
 #include "support/testing.hpp"
 

@@ -13,7 +13,7 @@
 #include "studies/common/discretisation.hpp"
 #include "studies/common/problem_parameter.hpp"
 #include "studies/history/history_convergence.hpp"
-#include "studies/history/runs.hpp"
+#include "studies/history/method.hpp"
 #include "support/beams.hpp"
 #include "support/error_message.hpp"
 #include "support/paper_case.hpp"

@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "stickslip/data/case_file.hpp"
-#include "stickslip/data/toml_record.hpp"
+#include "stickslip/data/toml_file.hpp"
 
 namespace stickslip::testing {
 namespace {

@@ -91,6 +91,26 @@ TEST(MeasuredRecords, DamperFileInInchesAndKips) {
                data::InputError);
 }
 
+// Four resonances in noise, and a line of the mains that is higher than one of them.
+TEST(MeasuredRecords, SpectrumOfAStrip) {
+  const auto exact = validation::strip_frequencies({.modulus = 180e9});
+  std::mt19937 random(1);
+  std::string text = "LabVIEW Measurement\nX_Dimension\tTime\nDelta_X\t0.1\nX_Value\tlevel\tComment\n";
+  for (int i = 0; i < 4000; ++i) {
+    const double f = 0.1 * i;
+    double level = std::abs(f - 180.0) < 0.05 ? 1.0 : 1e-4 * (1.0 + 1e-9 * static_cast<double>(random()));
+    for (const auto& [quantity, hz] : exact) level += 1e-3 / std::hypot(1.0 - f / hz, 1e-3);
+    text += std::to_string(f) + "\t" + std::to_string(20.0 * std::log10(level)) + "\n";
+  }
+  const auto figures = validation::read_strip(validation::read_spectrum(written("s.lvm", text)));
+  for (const auto& [quantity, hz] : exact) {
+    EXPECT_NEAR(figures.at(quantity).value, hz, 0.0501) << quantity;
+    EXPECT_NEAR(figures.at(quantity).uncertainty, 0.1 / std::sqrt(12.0), 1e-9);
+  }
+  EXPECT_THROW((void)validation::read_spectrum(written("t.lvm", "X_Value\tlevel\n1 2\n0 3\n")),
+               data::InputError);
+}
+
 struct SliderMotion {
   validation::Slider slider;
   double excess{};  // mu_s - mu_k

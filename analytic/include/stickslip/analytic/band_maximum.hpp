@@ -37,7 +37,6 @@
 #include <queue>
 #include <vector>
 
-#include "stickslip/analytic/bounds.hpp"
 #include "stickslip/analytic/damped_reaction.hpp"
 #include "stickslip/analytic/force_maximum.hpp"
 #include "stickslip/analytic/modal_reaction.hpp"

@@ -6,7 +6,7 @@
 
 #include <string_view>
 
-#include "stickslip/analytic/bounds.hpp"
+#include "stickslip/analytic/force_maximum.hpp"
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/data/problem.hpp"
 

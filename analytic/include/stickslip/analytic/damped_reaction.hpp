@@ -19,7 +19,7 @@
 #include <complex>
 #include <vector>
 
-#include "stickslip/analytic/bounds.hpp"
+#include "stickslip/analytic/force_maximum.hpp"
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/data/problem.hpp"
 
@@ -97,9 +97,6 @@ class DampedForce {
   // Re[amplitude (exp(pole t) - exp(exponent t))/(pole - exponent)]
   struct Beat {
     Complex amplitude, pole, exponent;
-  };
-  struct Jet {
-    double value{}, slope{}, curvature{};
   };
 
   [[nodiscard]] Jet jet(double t) const;

@@ -21,10 +21,28 @@
 #include <cstddef>
 #include <vector>
 
-#include "stickslip/analytic/bounds.hpp"
 #include "stickslip/analytic/modal_reaction.hpp"
 
 namespace stickslip::analytic {
+
+/// An interval that is known to hold the true value: lower ≤ value ≤ upper.
+struct Bounds {
+  double lower{};
+  double upper{};
+
+  [[nodiscard]] constexpr double midpoint() const noexcept { return lower + 0.5 * (upper - lower); }
+};
+
+/// One sinusoid a sin(w t) of a force or displacement history.
+struct Sinusoid {
+  double amplitude{};          ///< a
+  double angular_frequency{};  ///< w, rad/s
+};
+
+/// A function and its first two derivatives at a point.
+struct Jet {
+  double value{}, slope{}, curvature{};
+};
 
 /// The reaction of one beam to one excitation frequency over 0 ≤ t ≤ duration, per unit amplitude.
 class ForceMaximum {
@@ -51,19 +69,11 @@ class ForceMaximum {
  private:
   class Search;
 
-  // a sin(w t)
-  struct Sinusoid {
-    double amplitude{};
-    double angular_frequency{};
-  };
   // b e(t) cos(σ t), e(t) = sin(δ t)/δ: a mode in resonance, together with a Sinusoid.
   struct Beat {
     double amplitude{};  // b
     double mean{};       // σ = (Ω + ω_n)/2
     double detuning{};   // δ = (Ω - ω_n)/2
-  };
-  struct Jet {
-    double value{}, slope{}, curvature{};
   };
   // What bounds the first k sinusoids with all beats, and the rest.
   struct Truncation {

@@ -14,7 +14,7 @@
 
 #include <vector>
 
-#include "stickslip/analytic/bounds.hpp"
+#include "stickslip/analytic/force_maximum.hpp"
 #include "stickslip/analytic/modal_reaction.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/data/problem.hpp"
@@ -35,12 +35,6 @@ enum class SteadyPart {
   /// circle in the complex Ω plane, so that nothing is lost at resonance. Only the free vibrations n > N
   /// are left out: u_t(x,0) misses their share of S(x) h_t(0).
   exact
-};
-
-/// One sinusoid a sin(w t) of a force or displacement history.
-struct Sinusoid {
-  double amplitude{};          ///< a
-  double angular_frequency{};  ///< w, rad/s
 };
 
 /// The response of one beam to one harmonic excitation, with N modes. Accuracy: round-off times the condition

@@ -25,8 +25,17 @@
 
 #include "stickslip/data/input_error.hpp"
 #include "stickslip/data/key.hpp"
+#include "stickslip/data/problem.hpp"
 
 namespace stickslip::data {
+
+// Where the files are that the program reads but does not contain.
+
+/// A folder of files that come with the program: the one that the environment variable `variable` names; else
+/// `folder` in share/stickslip of the installation that the running program belongs to, wherever that has
+/// been moved; else `source`, its place in the source tree. It need not exist.
+[[nodiscard]] std::filesystem::path installed_folder(const char* variable, std::string_view folder,
+                                                     std::string_view source);
 
 /// Throws InputError for a result that is not finite, as "the answer comes out as inf, but must be finite":
 /// quantities that are allowed one by one can overflow together.
@@ -84,5 +93,24 @@ struct CaseListing {
   std::string title;
 };
 [[nodiscard]] std::vector<CaseListing> list_cases();
+
+/// excitation.duration where a case does not state it: that of the paper, s.
+constexpr double default_duration = 10.0;
+
+/// Settings for a case that does not state them, from its shortest vibration that matters. That is stick mode
+/// k: the tenth, or the first of more than four times the excitation frequency if that is higher, at most the
+/// 200th. Its frequency without axial force is f_k = ((k + 1/4) pi)^2 sqrt(EI/(rho A L^4))/(2 pi), to 1e-7 of
+/// itself.
+///
+///     elements            4 k: four for each half-wave of mode k
+///     time_step           1/(50 f_k), rounded down to 1, 2 or 5 times a power of ten, at most the duration if that is
+///                         positive, s
+///     spectral_radius     0.9
+///     velocity_threshold  0 m/s
+///     modes               k
+///
+/// Why these: see the user guide, "Defaults of [numerics]".
+[[nodiscard]] NumericalChoices default_numerics(const Beam& beam, const HarmonicExcitation& excitation,
+                                                double duration);
 
 }  // namespace stickslip::data

@@ -30,4 +30,7 @@ namespace stickslip::data {
 /// (optimal string alignment: two neighbours in the wrong order count as one letter).
 [[nodiscard]] std::string suggestion(std::string_view word, const std::vector<std::string>& names);
 
+/// The SHA-256 digest (FIPS 180-4) of some bytes, as 64 hexadecimal digits in lower case.
+[[nodiscard]] std::string sha256(std::string_view bytes);
+
 }  // namespace stickslip::data

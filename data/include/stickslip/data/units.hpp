@@ -19,6 +19,18 @@ struct Unit {
 /// MN.
 [[nodiscard]] std::optional<Unit> unit_named(std::string_view name);
 
+/// The number in SI units that a text states, "0.2 mm", "0.2mm" or, where a unit may be missing, "2e-4"; nothing if it is none, or
+/// its unit is of another kind.
+[[nodiscard]] std::optional<double> quantity_in(std::string_view text, std::string_view si,
+                                                bool may_lack_unit = true);
+
+/// What must stand in place of a text that is no quantity: "a number (m) or a text of a number and a unit: m, cm, ...", or how
+/// a decimal comma is written.
+[[nodiscard]] std::string quantity_allowed(std::string_view text, std::string_view si);
+
+/// "1.5" for a text that begins with a number with a decimal comma, "1,5 mm"; else empty.
+[[nodiscard]] std::string with_decimal_point(std::string_view text);
+
 /// "Hz, kHz, rad/s": those that can be converted to this one; itself alone if it is unknown.
 [[nodiscard]] std::string units_convertible_to(std::string_view si);
 

@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: MIT
+# The rig of the case `rig`, seen from above. A drawing that is not to scale; its numbers are those of the case.
+width = 16
+height = 5.4
+load 'style.gp'
+values = folder.'rig-values.csv'
+load 'values.gp'
+unset border
+unset tics
+unset grid
+unset key
+set xrange [-0.35:1.9]
+set yrange [-0.42:0.4]
+set margins 0, 0, 0, 0
+set style line 5 linecolor rgb black linewidth 0.9
+set style arrow 1 head filled size screen 0.012, 18 linestyle 5 front
+set style arrow 2 heads filled size screen 0.012, 18 linestyle 5
+set style arrow 3 head filled size screen 0.016, 18 linecolor rgb vermillion linewidth 2.5 front
+set object 1 rectangle from -0.1, -0.12 to 0, 0.12 fillstyle solid border rgb black fillcolor rgb '#BBBBBB'
+set label "clamp on\na shaker" at -0.13, 0.3 center
+set arrow from -0.05, -0.2 to -0.05, -0.36 arrowstyle 2
+set label "h(t): measured on\nthe clamp" at -0.01, -0.25 left
+set object 2 rectangle from 0, -0.012 to 1, 0.012 fillstyle solid noborder fillcolor rgb blue
+set label sprintf("strip of spring steel, %g mm × %g mm", 1e3 * section_width, 1e3 * section_height) at 0.5, 0.06 center
+set arrow from 0, -0.1 to 1, -0.1 arrowstyle 2
+set label sprintf('%g mm (and 400 mm)', 1e3 * beam_length) at 0.5, -0.15 center
+set object 3 rectangle from 1, -0.3 to 1.06, 0.3 fillstyle pattern 5 border rgb black fillcolor rgb grey
+set label sprintf("plate, μ_s about %g", static_coefficient) at 1.03, 0.36 center
+set object 4 rectangle from 1.06, -0.05 to 1.2, 0.05 fillstyle solid border rgb black fillcolor rgb slip_fill
+set label "load cell: axial\nand friction force" at 1.1, -0.13 left
+set arrow from 1.45, 0 to 1.21, 0 arrowstyle 3
+set label sprintf("P = %g N by a\nweight (and 0.5,\n1, 3, 4 N)", axial_force) at 1.47, 0.08 left
+set arrow from 0.93, -0.4 to 0.93, -0.02 linestyle 5 dashtype 3 nohead
+set label "laser: motion of the tip" at 0.91, -0.36 right
+plot NaN

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#include "studies/verification/proposed_rig.hpp"
+
+#include <cmath>
+
+#include "stickslip/analytic/criterion.hpp"
+#include "stickslip/analytic/slip_modes.hpp"
+#include "stickslip/data/case_file.hpp"
+
+namespace stickslip::studies {
+
+ProposedRig proposed_rig(const std::string& name) {
+  ProposedRig rig;
+  data::BeamProperties beam = data::load_case(name).beam.properties();
+  for (const double length : {0.3, 0.4})
+    for (const double load : {0.5, 1.0, 2.0, 3.0, 4.0}) {
+      beam.length = length;
+      beam.axial_force = load;
+      const auto first_hz = [&](double direction) {
+        beam.axial_direction = direction;
+        return analytic::slip_modes(data::Beam(beam), 1).front().frequency_hz();
+      };
+      const double following = first_hz(0.0), fixed = first_hz(1.0);
+      rig.frequencies.push_back(
+          {length, load, following, fixed, std::abs(following - fixed) / (2.0 * (following + fixed))});
+    }
+  for (const double hz : {10.0, 15.0, 20.0, 25.0, 30.0, 35.0, 60.0, 80.0}) {
+    const data::Case problem =
+        data::load_case(name, {{"excitation.frequency_hz", data::shortest_text(hz), "the rig"}});
+    const auto criterion = analytic::evaluate_criterion(
+        problem.beam, problem.friction, problem.excitation, problem.numerics.duration(),
+        problem.numerics.modes(), analytic::SteadyPart::modal_sum, 1e-6, problem.damping);
+    rig.onsets.push_back({hz, criterion.critical_amplitude.midpoint()});
+  }
+  return rig;
+}
+
+}  // namespace stickslip::studies

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// What to measure on the rig of a case, and how accurately, to validate the beam in stick and in stick-slip.
+
+#include <string>
+#include <vector>
+
+#include "studies/common/members.hpp"
+
+namespace stickslip::studies {
+
+struct ProposedRig {
+  /// The first frequency with the tip free, if the axial force follows the tip and if it keeps its direction. Two intervals ± 2 u
+  /// of them do not meet if the relative standard uncertainty u is below `accuracy`, |f_1 - f_2|/(2 (f_1 + f_2)).
+  struct Frequency {
+    double length{}, load{}, following_hz{}, fixed_hz{}, accuracy{};
+  };
+  /// The amplitude of the base at which the tip begins to slip.
+  struct Onset {
+    double frequency_hz{}, critical_amplitude{};
+  };
+  std::vector<Frequency> frequencies;  ///< two lengths, five loads
+  std::vector<Onset> onsets;           ///< eight excitation frequencies
+};
+
+/// Throws what data::load_case() and the criterion throw.
+[[nodiscard]] ProposedRig proposed_rig(const std::string& name);
+
+STICKSLIP_MEMBERS(ProposedRig::Frequency, (length, "m"), (load, "N"), (following_hz, "Hz"), (fixed_hz, "Hz"),
+                  (accuracy, "1"))
+STICKSLIP_MEMBERS(ProposedRig::Onset, (frequency_hz, "Hz"), (critical_amplitude, "m"))
+STICKSLIP_MEMBERS(ProposedRig, (frequencies), (onsets))
+
+}  // namespace stickslip::studies
