@@ -4,16 +4,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <type_traits>
 
 #include "comparison/diagnosis/wrong_models.hpp"
 #include "render/criterion_map.hpp"
+#include "render/report.hpp"
 #include "render/study_table.hpp"
 #include "stickslip/analytic/band_maximum.hpp"
 #include "stickslip/analytic/event_driven.hpp"
 #include "stickslip/analytic/force_maximum.hpp"
 #include "stickslip/data/atomic_file.hpp"
+#include "stickslip/data/csv_text.hpp"
 #include "stickslip/data/paper.hpp"
 #include "stickslip/data/problem.hpp"
 #include "stickslip/solver/energy_balance.hpp"
@@ -774,6 +777,51 @@ FigureData figure14(Results& r) {
   return data;
 }
 
+// The decadic logarithm of error over tolerance, from -1 to 6, of each code in each problem that verification/peers has a row of: the
+// usual settings, which come first, and the best. Nothing where there is no driver; state 1 where the code cannot do the problem.
+FigureData scoreboard(Results& /*r*/) {
+  using Key = std::pair<std::string, std::string>;
+  const auto file = templates_directory().parent_path() / "verification" / "peers" / "scoreboard.csv";
+  const std::string text = data::read_table_text(file);
+  data::CsvReader reader(file, text);
+  std::vector<std::string> codes, problems;
+  std::map<Key, std::vector<double>> ratios;
+  const auto column = [&](const char* name) {
+    return std::ranges::find(reader.names(), name) - reader.names().begin();
+  };
+  const auto note = [](std::vector<std::string>& names, const std::string& name) {
+    if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+  };
+  while (const auto row = reader.next_row()) {
+    const Key key{row->at(column("code")), row->at(column("problem"))};
+    note(codes, key.first);
+    note(problems, key.second);
+    auto& values = ratios[key];
+    if (const std::string& ratio = row->at(column("ratio")); !ratio.empty())
+      values.push_back(std::clamp(std::log10(std::stod(ratio)), -1.0, 6.0));
+  }
+  CsvTable table("Error over tolerance of other codes, as decadic logarithm from -1 to 6", {{"code", "-"},
+                                                                                            {"problem", "-"},
+                                                                                            {"column", "1"},
+                                                                                            {"row", "1"},
+                                                                                            {"state", "1"},
+                                                                                            {"usual", "1"},
+                                                                                            {"best", "1"}});
+  for (std::size_t j = 0; j < codes.size(); ++j)
+    for (std::size_t i = 0; i < problems.size(); ++i) {
+      const auto found = ratios.find({codes[j], problems[i]});
+      table.add(CsvText(codes[j]))
+          .add(CsvText(problems[i]))
+          .add(static_cast<double>(i))
+          .add(static_cast<double>(j));
+      const bool ran = found != ratios.end() && !found->second.empty();
+      table.add(found != ratios.end() && !ran ? 1.0 : 0.0);
+      table.add(ran ? std::optional(found->second.front()) : std::nullopt);
+      table.add(ran ? std::optional(std::ranges::min(found->second)) : std::nullopt).end_row();
+    }
+  return figure("scoreboard", std::move(table));
+}
+
 FigureData intervals(Results& r) {
   FigureData data = figure("validation", comparison_table(r(measured)));
   data.tables.push_back(
@@ -824,6 +872,7 @@ const std::vector<Figure>& all_figures() {
                                            {"fig13", figure13},
                                            {"fig14", figure14},
                                            {"map", map},
+                                           {"scoreboard", scoreboard},
                                            {"validation", intervals},
                                            {"rig", rig_drawing}};
   return figures;

@@ -210,15 +210,20 @@ class Site:
             "Command: ./verification/run --mutants -- --part data"], ["File", "Function", "Change", "Reason"], rows)
 
     def scoreboard(self):
-        rows = [Row(f"{index}", [one["code"], one["version"], Link(one["problem"], f"data.html#{one['problem']}"), one["settings"],
-                                 one["verdict"], one["quantity"], one["error"], one["tolerance"],
-                                 number(float(one["cost"]) if one["cost"] else None, 2), one["note"]])
+        sets = {resource["name"] for resource in self.known["package"]["resources"]}
+        rows = [Row(f"{index}", [one["code"], one["version"],
+                                 Link(one["problem"], f"data.html#{one['problem'] if one['problem'] in sets else 'published-problems'}"),
+                                 one["settings"], one["verdict"], one["level"], one["quantity"], one["error"], one["tolerance"],
+                                 number(float(one["ratio"]) if one["ratio"] else None, 2), one["creep"],
+                                 number(float(one["cost"]) if one["cost"] else None, 2), one["data"], one["date"], one["machine"], one["note"]])
                 for index, one in enumerate(self.known["scoreboard"])]
         return Page("scoreboard", "Other codes", [
-            "Other codes on the problems of the reference data, a record of an earlier run: usual settings first, then what it takes to agree.",
-            "The cost is processor time in units of that of this program with its default settings.",
+            "Other codes on the problems of the reference data, a record of an earlier run: usual settings first, then what it takes to agree, or the best step.",
+            "The ratio is error over tolerance, the creep the mean velocity of a block that must not move.",
+            "The cost is processor time in units of that of this program with its first settings.",
             "Command: ./verification/run --peers"],
-            ["Code", "Version", "Data set", "Settings", "Verdict", "Quantity", "Error", "Tolerance", "Cost", "Note"], rows)
+            ["Code", "Version", "Data set", "Settings", "Verdict", "Level", "Quantity", "Error", "Tolerance", "Ratio", "Creep", "Cost", "Data", "Day",
+             "Machine", "Note"], rows)
 
     def wrong_models(self):
         columns = ["stick_frequency", "slip_frequency", "force_maximum", "stick_force", "stick_displacement", "first_slip",
