@@ -131,8 +131,17 @@ class NumbersReader {
  public:
   NumbersReader(std::filesystem::path file, Entries entries, Mistakes& mistakes)
       : file_(std::move(file)), entries_(std::move(entries)), mistakes_(mistakes) {
-    collect([&] { expand_shorthand(entries_); });
     misses_keys_ = !mistakes_.any();  // else what is missing may have been meant
+    collect([&] {
+      try {
+        expand_shorthand(entries_);
+      } catch (const FieldError&) {
+        throw;
+      } catch (const InputError&) {
+        if (misses_keys_) throw;
+      }
+    });
+    misses_keys_ = misses_keys_ && !mistakes_.any();
   }
 
   // The settings last, as their defaults follow from the rest.
@@ -156,6 +165,11 @@ class NumbersReader {
   }
 
  private:
+  static double allowed(const Key& key) {
+    if (key.presence == Presence::optional) return key.member.get(CaseNumbers());
+    return key.axis.may_be_zero ? 0.0 : 1.0;
+  }
+
   // Whether there was a mistake in a number that then has another value.
   bool collect(const std::function<void()>& work) {
     bool is_mended = false;
@@ -163,7 +177,7 @@ class NumbersReader {
       const auto key = std::ranges::find(case_keys(), error.field(), &Key::path);
       is_mended =
           mended_.insert(error.field()).second && key != case_keys().end() && key->member.set != nullptr;
-      if (is_mended) key->member.set(numbers_, key->axis.may_be_zero ? 0.0 : 1.0);
+      if (is_mended) key->member.set(numbers_, allowed(*key));
       if (error.field() == "friction.static_coefficient")
         numbers_.friction.kinetic_coefficient = 0.0;  // its bound
       const auto given = entries_.find(error.field());
@@ -184,7 +198,7 @@ class NumbersReader {
                                                          : number_of(path, key.magnitudes, found->second));
         });
       else if (key.presence == Presence::required) {
-        key.member.set(numbers_, key.axis.may_be_zero ? 0.0 : 1.0);
+        key.member.set(numbers_, allowed(key));
         const bool is_implied =
             path == "excitation.amplitude" && (entries_.contains("excitation.velocity_amplitude") ||
                                                entries_.contains("excitation.acceleration_amplitude"));

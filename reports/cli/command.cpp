@@ -134,9 +134,9 @@ void Outputs::write(std::string_view option, const std::function<std::string()>&
   if (progress_ && open->name.path == "-") progress_->finish();
   const auto undisturbed = hold();
   std::string whole = text();
-  if (whole.starts_with("# ") && whole[2] != '{')  // the title of a table
-    whole.insert(whole.find('\n'),
-                 fmt::format("; {}, {}, {}", program(), command_, head_.value("problem", Json()).dump()));
+  const bool is_table = whole.starts_with("# ") && whole[2] != '{';
+  if (is_table && head_.contains("problem"))
+    whole.insert(whole.find('\n'), fmt::format("; {}, {}, {}", program(), command_, head_["problem"].dump()));
   open->file.write(whole);
   open->file.commit();
   open->is_written = true;

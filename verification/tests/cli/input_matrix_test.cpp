@@ -142,6 +142,7 @@ constexpr Exception exceptions[] = {
 
     {"option", "@(stickslip|reference) --help", "!(unknown)", "help is given"},
     {"option", "* @(CASE|CASES)", "missing", "a case of the paper stands for none"},
+    {"option", "criterion CASE", "duplicate", "it takes several cases"},
     {"option", "@(respond|animate|criterion|map|sweep|periodic) --amplitude", "zero", "nothing moves"},
     {"option", "sweep --settle", "zero", "nothing passes before the section"},
     {"option", "uncertainty --seed", "zero", "any seed will do"},

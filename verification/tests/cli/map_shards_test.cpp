@@ -144,12 +144,12 @@ TEST_F(MapShards, AreNotMadeAgainWhereTheyAreComplete) {
   expect_answer(false);
   const std::string whole = contents("shard");
   const auto written = fs::last_write_time("shard");
-  const std::string said = "Shard 2 of 4, 22 of 90 evaluations, is complete already in shard\n";
-  EXPECT_EQ(run(part + output("shard")).output, said);
+  const std::string said = "\nShard 2 of 4, 22 of 90 evaluations, is complete already in shard\n";
+  EXPECT_TRUE(holds(run(part + output("shard")).output, said));
   expect_answer(true);
   // A run that was killed after the shard was in place.
   std::ofstream("shard.partial") << whole;
-  EXPECT_EQ(run(part + output("shard")).output, said);
+  EXPECT_TRUE(holds(run(part + output("shard")).output, said));
   EXPECT_FALSE(fs::exists("shard.partial"));
   EXPECT_EQ(fs::last_write_time("shard"), written);
 }

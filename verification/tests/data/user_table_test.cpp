@@ -233,7 +233,7 @@ TEST_F(UserTable, RefusesAUnitOfAnotherQuantity) {
     EXPECT_EQ(
         error_message("stick-frequencies", fmt::format("{}\npaper,1,25\n", header)),
         fmt::format("mine.csv:1, column 3 (frequency [{0}]): the unit of frequency is '{0}', but must be "
-                    "one of Hz, mHz, kHz, MHz, rad/s",
+                    "one of Hz, mHz, kHz, MHz, 1/s, rad/s",
                     unit));
 }
 
@@ -357,7 +357,7 @@ TEST_F(UserTable, RefusesAMappingToNothing) {
             "REFERENCE=THEIRS says which is which)");
   EXPECT_EQ(message("frequency=f:furlong"),
             "mine.csv:1, column 3 (f): the unit of frequency is 'furlong', but must be one of Hz, mHz, kHz, "
-            "MHz, rad/s");
+            "MHz, 1/s, rad/s");
 }
 
 STICKSLIP_VERIFIES(ColumnMapping, "P5");
