@@ -37,6 +37,7 @@ install(FILES ${CMAKE_BINARY_DIR}/stickslip-config.cmake ${CMAKE_BINARY_DIR}/sti
 install(
   DIRECTORY data/cases data/measurements data/paper data/reference
   DESTINATION ${shared_files}/data)
+install(FILES data/materials.toml data/answers.schema.json DESTINATION ${shared_files}/data)
 install(
   DIRECTORY reports/figures reports/report reports/site
   DESTINATION ${shared_files}/reports
