@@ -1,47 +1,50 @@
 # SPDX-License-Identifier: MIT
-# Four tip histories. Panel i has hz<i> and slips<i>; the band is the half-width. All panels have one scale: a panel is as high
-# as what its tip covers.
-width = 16
-height = 12
-load 'style.gp'
+# Tip histories of one amplitude, one panel for each frequency hz<i>. All panels have one scale: a panel is as high as what its
+# tip covers. Shaded where the tip sticks: where it has moved by less than a micrometre in a step of the table.
+set datafile separator comma
+set datafile columnheaders
 load 'values.gp'
-array hz[4] = [hz1, hz2, hz3, hz4]
-array slips[4] = [slips1, slips2, slips3, slips4]
+width = 16
+height = 1.2 + 2.4 * panels
+load 'style.gp'
+array hz[4] = [hz1, hz2, exists('hz3') ? hz3 : 0, 0]
 array lowest[4]
 array highest[4]
 all = 0
-do for [i = 1:4] {
+do for [i = 1:int(panels)] {
   stats file using (1e3 * column(2 * i)) name 'y' nooutput
   all = all + y_max - y_min
   lowest[i] = y_min
   highest[i] = y_max
 }
 gap = 0.033 * all  # over and below each history
-per_mm = 0.695 / (all + 8 * gap)
+per_mm = (1 - 1.2 / height - 0.65 / height * panels) / (all + 2 * panels * gap)
 set xrange [0:shown]
 set xtics 0.1
-mm_per_tic = all > 10 ? 1 : 0.5
-set ytics mm_per_tic
+set ytics all > 10 ? 1 : 0.5
 unset key
 set lmargin at screen 0.095
 set rmargin at screen 0.98
 set format x ''
-top = 0.955
+top = 1 - 0.65 / height
 set multiplot
-do for [i = 1:4] {
-  set yrange [lowest[i] - gap:highest[i] + gap]
+do for [i = 1:int(panels)] {
+  low = lowest[i] - gap
+  high = highest[i] + gap
+  set yrange [low:high]
   set tmargin at screen top
-  bottom = top - per_mm * (highest[i] - lowest[i] + 2 * gap)
+  bottom = top - per_mm * (high - low)
   set bmargin at screen bottom
-  top = bottom - 0.055
-  set title sprintf('(%s) %g Hz%s', 'abcd'[i:i], hz[i], slips[i] ? '' : ': the tip sticks throughout')
-  if (i == 4) {
+  top = bottom - 0.65 / height
+  set title sprintf('%g Hz', hz[i])
+  if (i == panels) {
     set format x '%g'
     set xlabel 'time t / s'
     set label 'tip displacement y(L, t) / mm' at screen 0.017, 0.53 center rotate
   }
-  y(sign) = 1e3 * (column(2 * i) + sign * column(2 * i + 1))
-  plot file using 1:(y(-1)):(y(1)) with filledcurves linecolor rgb grey, \
-       '' using 1:(y(0)) with lines linestyle 1 linewidth 1.0
+  last = 0
+  rests(y) = (step = abs(y - last), last = y, step < 1e-6)
+  plot file using 1:(low):(rests(column(2 * i)) ? high : low) with filledcurves linecolor rgb stick_fill, \
+       '' using 1:(1e3 * column(2 * i)) with lines linestyle 1 linewidth 1.0
 }
 unset multiplot

@@ -16,6 +16,7 @@
 #include "stickslip/analytic/event_driven.hpp"
 #include "stickslip/analytic/force_maximum.hpp"
 #include "stickslip/data/atomic_file.hpp"
+#include "stickslip/data/case_file.hpp"
 #include "stickslip/data/csv_text.hpp"
 #include "stickslip/data/paper.hpp"
 #include "stickslip/data/problem.hpp"
@@ -26,6 +27,7 @@
 #include "studies/analyses/length_force_map.hpp"
 #include "studies/common/problem_parameter.hpp"
 #include "studies/history/history_convergence.hpp"
+#include "studies/verification/amplitude_limits.hpp"
 #include "studies/verification/classification.hpp"
 #include "studies/verification/contact_histories.hpp"
 #include "studies/verification/damped_benchmark.hpp"
@@ -270,6 +272,14 @@ const Study searches("searches", "critical amplitudes by the paper's procedure (
                                               studies::figure6_frequencies(), increment, cap);
 });
 
+// By half a hertz, so that the frequencies of Fig. 6 are among them.
+const Study amplitude_limits("amplitude_limits", "critical amplitudes by criterion and model",
+                             [](Results& r) {
+                               std::vector<double> frequencies;
+                               for (int i = 4; i <= 240; ++i) frequencies.push_back(0.5 * i);
+                               return studies::amplitude_limits(r.paper, r.damped, frequencies, r(searches));
+                             });
+
 const Study length_force_map("length_force_map", "criterion over length and axial force (Fig. 14)",
                              [](Results& r) {
                                return studies::length_force_map(r.flat_section, 0.4, 2.0,
@@ -433,6 +443,13 @@ const Study scope("scope", "scope of the criterion", [](Results& r) {
   return studies::scope(r.paper, r.damped, *slow);
 });
 
+const Study tested_cases("tested_cases", "dimensionless groups of the cases", [](Results& /*r*/) {
+  std::vector<studies::DimensionlessCase> cases;
+  for (const auto& listed : data::list_cases())
+    cases.push_back(studies::dimensionless(data::load_case(listed.name)));
+  return cases;
+});
+
 const Study model_form("model_form", "criterion with an axial force of fixed direction", [](Results& r) {
   constexpr int lengths = 81;  // every 2 cm
   return studies::model_form(r.paper, r.half_stiffness, r.flat_section, lengths);
@@ -462,8 +479,19 @@ FigureData figure(const std::string& name, CsvTable table, std::vector<FigureDat
   return {{{name, std::move(table)}}, std::move(values)};
 }
 
-// Drawings that hold no numbers.
-FigureData schematic(Results& /*r*/) { return {}; }
+// A sketch with the numbers of the case.
+FigureData figure1(Results& r) {
+  const data::BeamProperties beam = r.paper.beam.properties();
+  return {{},
+          {{"length", beam.length, "m"},
+           {"axial_force", beam.axial_force, "N"},
+           {"stiffness", beam.youngs_modulus * beam.second_moment_of_area, "N m^2"},
+           {"mass", beam.density * beam.area, "kg/m"},
+           {"static_coefficient", r.paper.friction.static_coefficient(), "1"},
+           {"kinetic_coefficient", r.paper.friction.kinetic_coefficient(), "1"},
+           {"decay", r.paper.friction.decay(), "s/m"},
+           {"limit", studies::friction_limit(r.paper), "N"}}};
+}
 
 FigureData figure2(Results& r) {
   const data::FrictionLaw& law = r.paper.friction;
@@ -545,14 +573,6 @@ FigureData figure9(Results& r) {
                                     "force as force_closed_form, first_force as force_finite_element"));
 }
 
-FigureData figure6(Results& r) {
-  return figure(
-      "fig6",
-      study_table("Fig. 6: critical amplitude by finite elements, by search and by one linear run",
-                  r(searches),
-                  "frequency_hz, searched_amplitude, above_the_cap, linear as linear_amplitude, runs"));
-}
-
 CsvTable criterion_table(Results& r) {
   return study_table("Critical amplitude of stick-slip, closed form", r(criterion),
                      "frequency_hz, critical_amplitude");
@@ -563,10 +583,21 @@ void add_natural_frequencies(const studies::FrequencyStudy& study, const char* n
     data.values.push_back({fmt::format("{}{}", name, mode.mode), mode.closed_form_hz, "Hz"});
 }
 
-FigureData figure11(Results& r) {
-  FigureData data = figure("fig11", criterion_table(r));
+FigureData figure_of_limits(Results& r, const char* name, const char* title, const char* columns) {
+  FigureData data = figure(name, study_table(title, r(amplitude_limits).limits, columns));
   add_natural_frequencies(r(stick_frequencies), "natural", data);
   return data;
+}
+
+FigureData limits(Results& r) {
+  return figure_of_limits(r, "limits",
+                          "Critical amplitude at a start-up and in steady vibration, closed form",
+                          "frequency_hz, start_up, steady, damped_start_up, damped_steady");
+}
+
+FigureData models(Results& r) {
+  return figure_of_limits(r, "models", "Critical amplitude at a start-up in other models, closed form",
+                          "frequency_hz, start_up, shear, fixed_direction, compliant");
 }
 
 FigureData figure12(Results& r) {
@@ -607,25 +638,19 @@ FigureData figure3(Results& r) {
   return {{{"fig3", std::move(table)}}, {}};
 }
 
-// Four tip histories of one amplitude; panel i has the values hz<i> and slips<i>, and the columns 2 i and 2 i
-// + 1. A tip that sticks throughout has zeros.
+// The tip histories of one amplitude that slip; panel i has the value hz<i> and the columns 2 i to 2 i + 1.
 FigureData tip_histories(Results& r, const std::string& number) {
   std::vector<studies::ContactHistory> panels = r(contact_histories);
-  std::erase_if(panels, [&](const auto& panel) { return !panel.figure.starts_with(number); });
-  const auto slips = [](const studies::ContactHistory& panel) { return panel.converged.has_value(); };
-  const studies::ConvergedHistory slipping = *std::ranges::find_if(panels, slips)->converged;
+  std::erase_if(panels,
+                [&](const auto& panel) { return !panel.figure.starts_with(number) || !panel.converged; });
   std::string columns = "0.converged.time";
-  std::vector<FigureData::Value> values{{"shown", shown_duration, "s"}};
+  std::vector<FigureData::Value> values{{"shown", shown_duration, "s"},
+                                        {"panels", static_cast<double>(panels.size()), "1"}};
   for (std::size_t i = 0; i < panels.size(); ++i) {
     const double hz = panels[i].frequency_hz;
     values.push_back({fmt::format("hz{}", i + 1), hz, "Hz"});
-    values.push_back({fmt::format("slips{}", i + 1), slips(panels[i]) ? 1.0 : 0.0, "1"});
     columns += fmt::format(", {0}.converged.tip as tip_displacement_{1}hz", i, hz);
     columns += fmt::format(", {0}.converged.tip_half_width as half_width_{1}hz", i, hz);
-    if (slips(panels[i])) continue;
-    panels[i].converged = slipping;
-    panels[i].converged->tip.assign(slipping.time.size(), 0.0);
-    panels[i].converged->tip_half_width = panels[i].converged->tip;
   }
   const std::string title =
       fmt::format("Fig. {}: tip displacement y(L, t) at A0 = {} m, converged, with half-width", number,
@@ -850,31 +875,15 @@ FigureData map(Results& r) { return figure_of(stick_case(r), r(stiffness_map)); 
 }  // namespace
 
 const std::vector<Figure>& all_figures() {
-  static const std::vector<Figure> figures{{"fig1", schematic},
-                                           {"fig2", figure2},
-                                           {"fig8", schematic},
-                                           {"convergence", convergence},
-                                           {"fig7", figure7},
-                                           {"refinement", refinement},
-                                           {"event-order", event_order},
-                                           {"energy", energy},
-                                           {"fig9", figure9},
-                                           {"fig6", figure6},
-                                           {"fig12", figure12},
-                                           {"fig3", figure3},
-                                           {"fig4", figure4},
-                                           {"fig5", figure5},
-                                           {"benchmark", benchmark},
-                                           {"practice", practice},
-                                           {"growth", growth},
-                                           {"fig10", figure10},
-                                           {"fig11", figure11},
-                                           {"fig13", figure13},
-                                           {"fig14", figure14},
-                                           {"map", map},
-                                           {"scoreboard", scoreboard},
-                                           {"validation", intervals},
-                                           {"rig", rig_drawing}};
+  static const std::vector<Figure> figures{
+      {"fig1", figure1},          {"fig2", figure2},          {"convergence", convergence},
+      {"fig7", figure7},          {"refinement", refinement}, {"event-order", event_order},
+      {"energy", energy},         {"fig9", figure9},          {"fig12", figure12},
+      {"fig3", figure3},          {"fig4", figure4},          {"fig5", figure5},
+      {"benchmark", benchmark},   {"practice", practice},     {"growth", growth},
+      {"fig10", figure10},        {"limits", limits},         {"models", models},
+      {"fig13", figure13},        {"fig14", figure14},        {"map", map},
+      {"scoreboard", scoreboard}, {"validation", intervals},  {"rig", rig_drawing}};
   return figures;
 }
 

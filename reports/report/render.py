@@ -343,8 +343,27 @@ def judged(result, environment, known):
     >>> [judged({"value": "a", "least": 2, "most": 3}, environment_for([]), {"a": a})["passed"] for a in (1.5, 2, 3, 3.5, "nan")]
     [False, True, True, False, False]
     """
+    if "value" not in result:
+        return result | {"value": None, "value_of": "", "passed": True}
     value = float(environment.compile_expression(result["value"], undefined_to_none=False)(**known))
     return result | {"value": value, "value_of": result["value"], "passed": result.get("least", -math.inf) <= value <= result.get("most", math.inf)}
+
+
+def argued(quantity, results, requirements):
+    """A judged quantity of acceptance.toml with its results, the numbers of tests of its requirements, and whether it is fit for its use.
+
+    >>> quantity, result = {"id": "a", "requirements": ["A1"], "passed": True}, {"quantity": "a", "passed": True}
+    >>> tests = [{"passed": True, "skipped": False}]
+    >>> cases = [(result, tests), (result | {"passed": False}, tests), (result, tests + [{"passed": False, "skipped": False}]),
+    ...          (result | {"quantity": "b", "passed": False}, tests)]
+    >>> [argued(quantity, [one], [{"name": "A1", "tests": ran}])["fit"] for one, ran in cases]
+    [True, False, False, True]
+    """
+    own = [result for result in results if result["quantity"] == quantity["id"]]
+    ran = [test for item in requirements if item["name"] in quantity["requirements"] for test in item["tests"]]
+    failed = sum(not test["passed"] and not test["skipped"] for test in ran)
+    return quantity | {"results": own, "met": sum(result["passed"] for result in own), "tests": len(ran), "failed": failed,
+                       "fit": quantity["passed"] and all(result["passed"] for result in own) and not failed}
 
 
 # ---- Speed
@@ -423,7 +442,12 @@ def read_values(templates, data, values):
                                            for key in ("named", "tolerances"))
     accepted = tomllib.loads((templates.parent.parent / "verification" / "acceptance.toml").read_text())
     expressions = environment_for([])
-    known["acceptance"] = [judged(result, expressions, known) for result in accepted["result"]]
+    known["acceptance"], known["on_the_paper"], quantities = (
+        [judged(result, expressions, known) for result in accepted[kind]] for kind in ("result", "paper", "quantity"))
+    known["quantities"] = [argued(quantity, known["acceptance"], known["requirements"]) for quantity in quantities]
+    known["excluded"] = accepted["excluded"]
+    sets = {resource["name"]: resource for resource in known["package"]["resources"]}
+    known["guide"] = [step | {"resource": sets[step["set"]]} for step in accepted["guide"]]
     known["indexed"] = lambda kind, count: paper_index(kind, count, known["tests"], known["claim"])
     return known | {"zip": zip}
 

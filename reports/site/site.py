@@ -20,12 +20,13 @@ import jinja2
 
 FOLDER = Path(__file__).resolve().parent
 sys.path.insert(0, str(FOLDER.parent / "report"))
-from render import read_values  # noqa: E402
+from render import environment_for, read_values  # noqa: E402
 
 Link = namedtuple("Link", "text href")
 Number = namedtuple("Number", "text value")
 Code = namedtuple("Code", "text")
 Image = namedtuple("Image", "href alt")
+Verdict = namedtuple("Verdict", "text good")  # shown with a sign and a colour
 Row = namedtuple("Row", "id cells")
 Page = namedtuple("Page", "name title intro columns rows")
 
@@ -42,6 +43,26 @@ def words(text):
     return str(text).rstrip(".")
 
 
+def decided(good):
+    return Verdict("yes" if good else "no", good)
+
+
+def unlatexed(text):
+    r"""The words of a LaTeX text.
+
+    >>> unlatexed(r"At $A_0 = 0.5\unit{mm}$ the \emph{tip} slips~($\fmax > \mu_s P$), 12\,\% (Fig.~\ref{fig:a})")
+    'At A_0 = 0.5 mm the tip slips (|f_max| > mu_s P), 12 % (another figure)'
+    """
+    for command, word in (("\\fmax", "|f_max|"), ("\\rhoinf", "rho_inf"), ("\\pm", " ± "), ("\\ldots{}", "…"), ("\\infty", "inf")):
+        text = text.replace(command, word)
+    for kind, word in (("Tables?", "a table of the report"), ("Figs?\\.", "another figure"), ("Sections?", "the text")):
+        text = re.sub(kind + r"~\\ref{.*?}", word, text)
+    text = re.sub(r"\\unit{(.*?)}", r" \1", text)
+    text = re.sub(r"\\(?:emph|code|textbf|text|mathrm|ensuremath|href{.*?}){", "{", text)
+    text = re.sub(r"\\(?:times|cdot)", " x ", text).replace("\\,", " ").replace("\\%", "%").replace("~", " ")
+    return " ".join(re.sub(r"\\([A-Za-z]+)|[{}$]", r"\1", text).split())
+
+
 @functools.cache
 def lines_of(file):
     return file.read_text().splitlines()
@@ -53,13 +74,27 @@ def site_of(**known):
                                  for key, value in known.items()}, Path("nowhere"), None)
 
 
+def drawings_of(templates, known):
+    """Number, name, alternative text and caption of each drawing, in the order of the report."""
+    if not templates.is_dir():
+        return []
+    environment, drawings = environment_for(templates), []
+    environment.globals |= known
+    parts = re.findall(r"\\input{(.*?)}", (templates / "vv-report.tex").read_text())
+    text = "".join(environment.get_template(f"{part}.tex").render() for part in parts)
+    for number, figure in enumerate(re.findall(r"\\begin{figure}(.*?)\\end{figure}", text, re.DOTALL), 1):
+        caption = unlatexed(re.sub(r"\\label{.*?}|\\end.*", "", figure.partition("\\caption{")[2]))
+        drawings += [(number, name, " ".join(alt.split()), caption)
+                     for name, alt in re.findall(r"\\drawing(?:\[.*?\])?{([a-z0-9-]+)}\s*{([^}]*)}", figure)]
+    return drawings
+
+
 class Site:
     """The pages, each made from the values of the report."""
 
     def __init__(self, known, templates, figures):
         self.known, self.figures = known, figures
-        text = "".join(file.read_text() for file in templates.glob("*.tex"))
-        self.alternatives = {name: " ".join(alt.split()) for name, alt in re.findall(r"\\drawing(?:\[.*?\])?{([a-z0-9-]+)}\s*{([^}]*)}", text)}
+        self.drawings = drawings_of(templates, known)
         self.sources = {}  # pages of test sources by file
         self.tests_of_claim = {test["claim"]: test for test in known["tests"] if test["claim"]}
 
@@ -89,7 +124,7 @@ class Site:
         rows = []
         for test in self.known["tests"]:
             worst = test["worst"] or dict.fromkeys(("computed", "expected", "error", "tolerance", "margin"))
-            outcome = "passed" if test["passed"] else "skipped" if test["skipped"] else "failed"
+            outcome = Verdict("passed", True) if test["passed"] else "skipped" if test["skipped"] else Verdict("failed", False)
             rows.append(Row(test["id"], [
                 Link(test["id"], f"#{test['id']}"), outcome, Link(test["requirement"], f"requirements.html#{test['requirement']}"),
                 self.source_link(test), number(test["comparisons"] or None), number(worst["computed"]), number(worst["expected"]),
@@ -141,7 +176,7 @@ class Site:
             test = self.tests_of_claim.get(claim["id"])
             erratum = claim.get("erratum", "")
             rows.append(Row(claim["id"], [
-                Link(claim["id"], f"#{claim['id']}"), claim["place"], claim["claim"], claim["verdict"], claim["how"],
+                Link(claim["id"], f"#{claim['id']}"), claim["place"], claim["claim"], Verdict(claim["verdict"], claim["verdict"].startswith("holds")), claim["how"],
                 test["finding"] if test else "not run", claim.get("correction", ""),
                 Link(erratum, f"errata.html#{erratum}") if erratum else "", self.test_link(test) if test else ""]))
         return Page("claims", "Claims of the paper", [
@@ -206,7 +241,8 @@ class Site:
         counts = [f"Part {one['part']}: {one['mutants']} mutants, {one['killed']} killed, {one['equivalent']} equivalent, "
                   f"{one['survived']} survived." for one in self.known["mutants"]]
         return Page("mutants", "Mutants", [
-            "A mutant is the program with one mistake. These mutants change no result that a test can see.", *counts,
+            "A mutant is the program with one mistake. The rows are equivalent mutants, which change no result that a test can see. The counts are those of "
+            "the last recorded run of each part.", *counts,
             "Command: ./verification/run --mutants -- --part data"], ["File", "Function", "Change", "Reason"], rows)
 
     def scoreboard(self):
@@ -252,48 +288,85 @@ class Site:
 
     def figures_page(self):
         rows = []
-        for image in sorted(self.figures.glob("*.png")):
-            name = image.stem
+        for order, name, alt, caption in self.drawings:
             tables = [file for file in sorted(self.figures.glob(f"{name}*.csv")) if file.stem == name or file.stem.startswith(f"{name}-")]
-            alt = self.alternatives.get(name, name)
-            rows.append(Row(name, [name, Image(f"../{image.name}", alt), alt,
-                                   [Link(file.name, f"../{file.name}") for file in tables],
-                                   Code(f"build/release/bin/stickslip report --only {name} --output figures")]))
-        return Page("figures", "Figures", ["Each figure of the report with its data and the command that draws it."],
-                    ["Figure", "Picture", "What it shows", "Data", "Command"], rows)
+            rows.append(Row(name, [number(order), Image(f"../{name}.png", alt), caption, [Link(file.name, f"../{file.name}") for file in tables],
+                                   Code(f"stickslip report --only {name} --output figures")]))
+        return Page("figures", "Figures", ["The figures of the report, by its numbers, with their captions, data and commands."],
+                    ["Figure", "Picture", "Caption", "Data", "Command"], rows)
 
     def data_sets(self):
         rows = []
-        for resource in self.known["package"]["resources"]:
+        levels = {step["set"]: (level, step["can"]) for level, step in enumerate(self.known["guide"], 1)}
+        last = (len(levels) + 1, "")
+        for resource in sorted(self.known["package"]["resources"], key=lambda resource: levels.get(resource["name"], last)):
+            level, can = levels.get(resource["name"], last)
             values = resource.get("comparison", {}).get("values", [])
             rows.append(Row(resource["name"], [
-                resource["name"], resource["title"], resource["description"], resource["provenance"]["class"],
+                number(level if can else None), can, resource["name"], resource["title"], resource["description"], resource["provenance"]["class"],
                 [f"{value['field']}: {value['tolerance']:g} ({value['norm']})" for value in values],
                 Link(resource["path"], f"data/{resource['path']}"), Code(f"build/release/bin/stickslip reference show {resource['name']}")]))
-        return Page("data", "Reference data", ["The published data sets, with the tolerances that are proposed for a comparison."],
-                    ["Data set", "Title", "What it holds", "Uncertainty", "Tolerances", "File", "Command"], rows)
+        return Page("data", "Reference data", [
+            "Which data set for my code? Begin with level 1 and go on to what your code can; the other sets follow.",
+            "The tolerances are those that are proposed for a comparison: stickslip compare SET FILE, or the Python package, judges by them."],
+                    ["Level", "Your code can", "Data set", "Title", "What it holds", "Uncertainty", "Tolerances", "File", "Command"], rows)
+
+    def argument(self):
+        rows = []
+        for one in self.known["quantities"]:
+            rows.append(Row(one["id"], [
+                {"beam": "A beam of one's own", "code": "A check of another code"}[one["use"]], one["what"],
+                one["needed"], number(one["value"], 2), decided(one["fit"]), one["limits"],
+                [Link(name, f"requirements.html#{name}") for name in one["requirements"]],
+                Verdict(f"{one['tests'] - one['failed']} of {one['tests']}", not one["failed"]) if one["tests"] else "not run",
+                Link(f"{one['met']} of {len(one['results'])}", f"verdicts.html?q={one['id']}&column=Quantity") if one["results"] else "",
+                [Code(f"stickslip {command}") for command in one["commands"]]]))
+        return Page("argument", "From use to verdict", [
+            "What the program is for, which quantities that takes, how accurate each must be, and what shows that it is. The report has the same table.",
+            "Commands that compute nothing: " + "; ".join(f"{name} ({why})" for name, why in self.known["excluded"].items()) + "."],
+            ["Use", "Quantity", "Needed for the use", "Reached", "Fit", "Limits", "Requirements", "Tests passed", "Criteria met", "Commands"], rows)
 
     def verdicts(self):
         """
-        >>> one = {"what": "a", "metric": "b", "value": 0.125, "most": 0.5, "basis": "c", "remark": "d", "value_of": "e"}
-        >>> page = site_of(acceptance=[one | {"passed": True}, one | {"passed": False, "least": 0.25}]).verdicts()
-        >>> [[getattr(cell, "text", cell) for cell in row.cells[2:7]] for row in page.rows]
-        [['0.125', 'at most 0.5', 'c', 'yes', ''], ['0.125', '0.25 to 0.5', 'c', 'no', 'd']]
+        >>> one = {"what": "a", "metric": "b", "value": 0.125, "most": 0.5, "basis": "c", "remark": "d", "requirement": "V1"}
+        >>> page = site_of(acceptance=[one | {"passed": True}], on_the_paper=[one | {"passed": False, "least": 0.25}]).verdicts()
+        >>> [[getattr(cell, "text", cell) for cell in row.cells[:1] + row.cells[4:9]] for row in page.rows]
+        [['paper', '0.125', 'at most 0.5', 'yes', 'c', ''], ['paper', '0.125', '0.25 to 0.5', 'no', 'c', 'd']]
         """
         rows = []
-        for index, result in enumerate(self.known["acceptance"]):
-            criterion = f"at most {result['most']:g}"
-            if "least" in result:
-                criterion = f"{result['least']:g} to {result['most']:g}"
-            rows.append(Row(f"{index}", [result["what"], result["metric"], number(result["value"], 3), criterion, result["basis"],
-                                         "yes" if result["passed"] else "no", "" if result["passed"] else result.get("remark", ""),
-                                         Code(result["value_of"])]))
-        return Page("verdicts", "Verdicts", ["Each result with its metric, its value and the acceptance criterion of verification/acceptance.toml."],
-                    ["Result", "Metric", "Value", "Criterion", "Basis", "Met", "Why not", "How it is computed from the studies"], rows)
+        for index, result in enumerate(self.known["acceptance"] + self.known["on_the_paper"]):
+            criterion = f"{result['least']:g} to {result['most']:g}" if "least" in result else f"at most {result['most']:g}"
+            requirement = result["requirement"]
+            rows.append(Row(f"{index}", [
+                result.get("quantity", "paper"), Link(requirement, f"requirements.html#{requirement}"), result["what"], result["metric"],
+                number(result["value"], 3), criterion, decided(result["passed"]), result["basis"],
+                "" if result["passed"] else result.get("remark", ""), Link("tests", f"tests.html?q={requirement}&column=Requirement")]))
+        return Page("verdicts", "Criteria", [
+            "Each result with its requirement, value and criterion. Those of the quantity 'paper' judge the paper, not the program."],
+            ["Quantity", "Requirement", "Result", "Metric", "Value", "Criterion", "Met", "Basis", "Why not", "Tests"], rows)
+
+    def sensitivity(self):
+        study = self.known["force_sensitivity"]
+        rows = [Row(f"{index}", ["Eq. (28)" if row["closed_form"] else "finite elements", row["factor"], row["setting"],
+                                 *(number(value, digits) for pair in zip(row["force"], row["change"]) for value, digits in zip(pair, (6, 2)))])
+                for index, row in enumerate(study["rows"])]
+        return Page("sensitivity", "Sensitivity", [
+            "What one change of the method does to the largest friction force at the four excitations of the paper, against the first row of the method.",
+            "The paper leaves the sampling open; it states Eq. (28), N = 10 and 10 s."],
+            ["Method", "Changed", "Setting", *(head for hz in study["frequency_hz"] for head in (f"{hz:g} Hz, N", f"{hz:g} Hz, change in %"))], rows)
+
+    def speed(self):
+        speed = self.known["speed"]
+        rows = [Row(f"{index}", [line["work"], line["plain"], line["fast"], number(1e3 * line["fast_seconds"], 2), number(line["ratio"], 2)])
+                for index, line in enumerate(speed["comparisons"])]
+        scale = ", ".join(f"{1e9 * line['seconds_per_element']:.3g} ns on {line['elements']}" for line in speed["scale"])
+        return Page("speed", "Speed", [
+            f"Fast ways against plain ones that return the same numbers, a record of one run on {speed['processor']}.",
+            f"The plain stick run takes, for a step and element: {scale}."], ["Work", "Plain way", "Fast way", "Fast way, ms", "Plain over fast"], rows)
 
     def pages(self):
         return [self.verdicts(), self.requirements(), self.tests(), self.tolerances(), self.claims(), self.errata(), self.numbers(), self.paper(),
-                self.figures_page(), self.data_sets(), self.scoreboard(), self.wrong_models(), self.mutants(), self.bad_input()]
+                self.sensitivity(), self.figures_page(), self.data_sets(), self.scoreboard(), self.wrong_models(), self.mutants(), self.bad_input(), self.speed()]
 
 
 def kind_of(cell):
@@ -310,7 +383,7 @@ def write_site(known, templates, data, figures, output):
     environment.globals |= {"pages": pages, "environment": known["environment"], "tests": known["tests"],
                             "tested_commit": known["tested_commit"]}
     write = lambda name, template, **values: (output / name).write_text(environment.get_template(template).render(**values))
-    write("index.html", "index.html", root="", title="Evidence")
+    write("index.html", "index.html", root="", page=site.argument(), title="Does the tip slip? From use to verdict")
     for page in pages:
         write(f"{page.name}.html", "table.html", root="", page=page, title=page.title)
     for file, name in site.sources.items():

@@ -85,38 +85,37 @@ class RowPlans {
   }
 
  private:
-  void add(std::string factor, std::string setting, bool left_open,
+  void add(std::string factor, std::string setting,
            std::function<double(const data::HarmonicExcitation&)> force) {
-    plans_.push_back({{std::move(factor), std::move(setting), baseline_ == 0, left_open, {}, {}},
-                      baseline_,
-                      std::move(force)});
+    plans_.push_back(
+        {{std::move(factor), std::move(setting), baseline_ == 0, {}, {}}, baseline_, std::move(force)});
   }
 
   void add_closed_form() {
     const data::Beam& beam = paper_.beam;
     const int modes = paper_.numerics.modes();
     const double duration = paper_.numerics.duration();
-    add("closed form", fmt::format("N = {}, continuous time", modes), true,
+    add("closed form", fmt::format("N = {}, continuous time", modes),
         [=](const auto& excitation) { return true_maximum(beam, excitation, modes, duration); });
     for (const int n : {5, 8, 12, 20, 50})
-      add("modes", fmt::format("{}", n), false,
+      add("modes", fmt::format("{}", n),
           [=](const auto& excitation) { return true_maximum(beam, excitation, n, duration); });
-    add("modes", "all", false, [this](const auto& excitation) {
+    add("modes", "all", [this](const auto& excitation) {
       return problem_bounds(paper_, excitation.frequency_hz()).midpoint();
     });
     for (const double step : {1e-5, 1e-4, 1e-3, 5e-3})
-      add("sampling step", fmt::format("{:g} s", step), true, [=](const auto& excitation) {
+      add("sampling step", fmt::format("{:g} s", step), [=](const auto& excitation) {
         return analytic::StickResponse(beam, excitation, modes)
             .sampled_max_abs_friction_force(duration, step)
             .lower;
       });
     for (const double axial_force : {0.0, 499.0, 501.0})
-      add("axial force", fmt::format("{:g} N", axial_force), false, [=](const auto& excitation) {
+      add("axial force", fmt::format("{:g} N", axial_force), [=](const auto& excitation) {
         return true_maximum(with(beam, &data::BeamProperties::axial_force, axial_force), excitation, modes,
                             duration);
       });
     for (const double other : {5.0, 20.0})
-      add("duration", fmt::format("{:g} s", other), false,
+      add("duration", fmt::format("{:g} s", other),
           [=](const auto& excitation) { return true_maximum(beam, excitation, modes, other); });
   }
 
@@ -126,28 +125,27 @@ class RowPlans {
     add_run("finite elements",
             fmt::format("{} elements, {:g} s, spectral radius {:g}", stated.elements, stated.time_step,
                         stated.spectral_radius),
-            true, stated);
+            stated);
     for (const int elements : {10, 40, 80}) {
       data::NumericalChoices choices = stated;
       choices.elements = elements;
-      add_run("elements", fmt::format("{}", elements), true, choices);
+      add_run("elements", fmt::format("{}", elements), choices);
     }
     for (const double step : {4e-4, 2e-4, 5e-5}) {
       data::NumericalChoices choices = stated;
       choices.time_step = step;
-      add_run("time step", fmt::format("{:g} s", step), false, choices);
+      add_run("time step", fmt::format("{:g} s", step), choices);
     }
     for (const double radius : {0.5, 1.0}) {
       data::NumericalChoices choices = stated;
       choices.spectral_radius = radius;
-      add_run("spectral radius", fmt::format("{:g}", radius), true, choices);
+      add_run("spectral radius", fmt::format("{:g}", radius), choices);
     }
   }
 
-  void add_run(std::string factor, std::string setting, bool left_open,
-               const data::NumericalChoices& choices) {
+  void add_run(std::string factor, std::string setting, const data::NumericalChoices& choices) {
     const data::NumericalSettings numerics(choices);
-    add(std::move(factor), std::move(setting), left_open, [this, numerics](const auto& excitation) {
+    add(std::move(factor), std::move(setting), [this, numerics](const auto& excitation) {
       return solver::max_abs_friction_force(paper_.beam, excitation, numerics);
     });
   }
@@ -226,27 +224,14 @@ ForceRange force_range(const analytic::Bounds& force, const data::PrintedNumber&
       force.lower <= printed.value + printed.half_digit && force.upper >= printed.value - printed.half_digit};
 }
 
-// The range over the rows with left_open: those of Eq. (28) only, or all.
-analytic::Bounds range_left_open(const std::vector<ForceRow>& rows, std::size_t frequency,
-                                 bool formula_only) {
-  analytic::Bounds range{std::numeric_limits<double>::infinity(), 0.0};
-  for (const ForceRow& row : rows) {
-    if (!row.left_open || (formula_only && !row.closed_form)) continue;
-    range.lower = std::min(range.lower, row.force[frequency]);
-    range.upper = std::max(range.upper, row.force[frequency]);
-  }
-  return range;
-}
-
-std::vector<ForceDigits> force_digits(const data::Case& paper, const std::vector<ForceRow>& rows) {
+std::vector<ForceDigits> force_digits(const data::Case& paper) {
   std::vector<ForceDigits> digits;
-  for (std::size_t i = 0; i < frequency_count; ++i) {
-    const double hz = printed_frequencies[i];
+  for (const double hz : printed_frequencies) {
     const data::PrintedNumber printed = printed_force(hz);
-    digits.push_back({hz, printed.value, printed.half_digit,
-                      force_range(range_left_open(rows, i, true), printed),
-                      force_range(range_left_open(rows, i, false), printed),
-                      force_range(problem_bounds(paper, hz), printed), truncation_bound(paper, hz)});
+    const SampledForces sampled = sampled_forces(paper, hz);
+    digits.push_back({hz, printed.value, printed.half_digit, force_range(sampled.range, printed),
+                      sampled.printed_step, force_range(problem_bounds(paper, hz), printed),
+                      truncation_bound(paper, hz)});
   }
   return digits;
 }
@@ -328,7 +313,7 @@ ForceSensitivity force_sensitivity(const data::Case& paper) {
   study.frequency_hz.assign(std::begin(printed_frequencies), std::end(printed_frequencies));
   study.rows = RowPlans(paper).evaluated();
   study.inputs = input_sensitivities(paper, study.rows.front());
-  study.digits = force_digits(paper, study.rows);
+  study.digits = force_digits(paper);
   study.search = sampling_search(paper);
   return study;
 }

@@ -5,6 +5,7 @@
 /// effect of each choice of the method, the effect of each given quantity, and the number of digits that the
 /// problem determines.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,17 +20,13 @@ namespace stickslip::studies {
 /// Eq. (28) with N = 10, maximum over continuous time from 0 to 10 s; and finite elements with 20 elements,
 /// 1e-4 s and spectral radius 0.9.
 struct ForceRow {
-  std::string factor;   ///< what is changed, such as "modes", "sampling step", "elements"
-  std::string setting;  ///< its value, such as "12", "5e-3 s"
-  bool closed_form{};   ///< Eq. (28); otherwise finite elements
-  /// Whether the paper leaves this choice open: how the maximum is sampled, by which method it was computed,
-  /// the mesh, and the spectral radius. The paper states N = 10, the step of 1e-4 s and the duration.
-  bool left_open{};
+  std::string factor;          ///< what is changed, such as "modes", "sampling step", "elements"
+  std::string setting;         ///< its value, such as "12", "5e-3 s"
+  bool closed_form{};          ///< Eq. (28); otherwise finite elements
   std::vector<double> force;   ///< N, one per frequency
   std::vector<double> change;  ///< of `force` from the unchanged row of the same method, %
 };
-STICKSLIP_MEMBERS(ForceRow, (factor, "-"), (setting, "-"), (closed_form, "1"), (left_open, "1"), (force, "N"),
-                  (change, "%"))
+STICKSLIP_MEMBERS(ForceRow, (factor, "-"), (setting, "-"), (closed_form, "1"), (force, "N"), (change, "%"))
 
 /// The effect of one given quantity on |f_max|. Young's modulus also represents I, and the density also
 /// represents A, because only E I and ρ A enter.
@@ -55,25 +52,20 @@ struct ForceRange {
 };
 STICKSLIP_MEMBERS(ForceRange, (force, "N"), (digits, "1"), (holds_printed, "1"))
 
-/// The digits of one |f_max| that do not depend on what the paper leaves open, and those of the problem
-/// itself.
+/// The digits of one |f_max| that do not depend on the sampling, which alone the paper leaves open, and those of the
+/// problem itself.
 struct ForceDigits {
   double frequency_hz{};
-  double printed{}, half_digit{};  ///< N
-  ForceRange formula;              ///< Eq. (28) with N = 10, over the sampling steps
-  ForceRange method;               ///< over all rows with left_open, including finite elements
-  ForceRange problem;              ///< all modes, continuous time; bounds, with an extrapolated tail
+  double printed{}, half_digit{};      ///< N
+  ForceRange formula;                  ///< Eq. (28) with N = 10, over the samplings of sampled_forces()
+  std::optional<double> printed_step;  ///< s, of sampled_forces()
+  ForceRange problem;                  ///< all modes, continuous time; bounds, with an extrapolated tail
   /// Of the unchanged Eq. (28) with N modes, N: the difference of the steady parts, and the amplitudes of all
   /// free vibrations n > N. `problem` is within it of that force.
   double uncertainty{};
-  /// Not determined if `method` holds the printed value and `problem` does not.
-  [[nodiscard]] data::ClaimVerdict verdict() const {
-    if (problem.holds_printed) return data::ClaimVerdict::holds;
-    return method.holds_printed ? data::ClaimVerdict::not_determined : data::ClaimVerdict::does_not_hold;
-  }
 };
-STICKSLIP_MEMBERS(ForceDigits, (frequency_hz, "Hz"), (printed, "N"), (half_digit, "N"), (formula), (method),
-                  (problem), (uncertainty, "N"), (verdict(), "-"))
+STICKSLIP_MEMBERS(ForceDigits, (frequency_hz, "Hz"), (printed, "N"), (half_digit, "N"), (formula),
+                  (printed_step, "s"), (problem), (uncertainty, "N"))
 
 /// One way of sampling Eq. (28).
 struct SamplingTrial {

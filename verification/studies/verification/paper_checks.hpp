@@ -41,10 +41,14 @@ struct PrintedCheck {
 STICKSLIP_MEMBERS(PrintedCheck, (printed), (computed), (method, "-"), (allowed), (because, "-"), (left_open),
                   (error()), (verdict(), "-"), (agrees(), "1"))
 
-/// |f_max| at a printed frequency between the smallest and the largest that the paper's own settings give:
-/// ten modes of Eq. (28) at any time, every 1e-4 s (its time step) and every 5e-3 s, and finite elements. The
-/// paper does not say by which its values were found.
-[[nodiscard]] analytic::Bounds printed_force_range(const data::Case& paper, double hz);
+/// |f_max| as the paper states it, Eq. (28) with N = 10 over 0 to 10 s, in all samplings that were tried: it does not
+/// state its own. They are continuous time and the multiples of 1e-4 s up to 1e-2 s.
+struct SampledForces {
+  analytic::Bounds range;              ///< smallest and largest, N
+  std::optional<double> printed_step;  ///< s, the shortest that returns every printed digit, if one does
+};
+STICKSLIP_MEMBERS(SampledForces, (range, "N"), (printed_step, "s"))
+[[nodiscard]] SampledForces sampled_forces(const data::Case& paper, double hz);
 
 /// Computes the printed results (not the inputs) of data/paper/printed-numbers.toml that a computation can
 /// reproduce. `paper` is the case of data/cases/paper.toml.

@@ -106,6 +106,18 @@ LateSlips late_slips(const std::vector<double>& time, const std::vector<double>&
   return {.range = range, .settled = time[settled], .later_range = range_from(settled)};
 }
 
+DimensionlessCase dimensionless(const data::Case& problem) {
+  const data::Beam& beam = problem.beam;
+  const double omega = angular_frequency(problem.excitation), natural = two_pi * stick_hz(beam, 1);
+  return {.name = problem.name,
+          .load = beam.axial_force() / analytic::stick_buckling_load(beam),
+          .slenderness = beam.length() * std::sqrt(beam.area() / beam.second_moment_of_area()),
+          .frequency = omega / natural,
+          .friction = problem.friction.static_coefficient(),
+          .decay = problem.friction.decay() * problem.excitation.amplitude() * omega,
+          .damping = problem.damping.ratio() + 0.5 * problem.damping.kelvin_voigt() * natural};
+}
+
 Scope scope(const data::Case& paper, const data::Case& damped, const ConvergedHistory& converged,
             const ScopeRange& range) {
   Scope study;

@@ -5,6 +5,7 @@
 /// damping. The free vibrations of the start never decay in |f_max|. This study shows what they add to the
 /// steady vibration, and how |f_max| depends on T, on damping and on the slenderness of the beam.
 
+#include <string>
 #include <vector>
 
 #include "stickslip/analytic/force_maximum.hpp"
@@ -64,6 +65,20 @@ struct LateSlips {
 };
 STICKSLIP_MEMBERS(LateSlips, (range, "m"), (settled, "s"), (later_range, "m"))
 inline constexpr double settled_share = 0.05;
+
+/// A case in dimensionless groups.
+struct DimensionlessCase {
+  std::string name;
+  double load{};         ///< P over the buckling load of the stick state
+  double slenderness{};  ///< L √(A/I)
+  double frequency{};    ///< Ω/ω_1 of the stick state
+  double friction{};     ///< μ_s
+  double decay{};        ///< α A_0 Ω
+  double damping{};      ///< of stick mode 1, as a fraction of critical: ratio + η ω_1/2
+};
+STICKSLIP_MEMBERS(DimensionlessCase, (name, "-"), (load, "1"), (slenderness, "1"), (frequency, "1"),
+                  (friction, "1"), (decay, "1"), (damping, "1"))
+[[nodiscard]] DimensionlessCase dimensionless(const data::Case& problem);
 
 /// The complete study.
 struct Scope {

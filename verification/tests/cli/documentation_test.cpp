@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <toml++/toml.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -83,6 +84,7 @@ class Documented : public Drawing {
 };
 
 using HelpExamples = Documented;
+using HelpedCommand = Documented;
 using ManualPage = Documented;
 using Completion = Documented;
 
@@ -142,6 +144,20 @@ std::string page_of(const std::string& command) {
 std::string words_of_page(const std::string& name) {
   return std::regex_replace(contents(manual_pages() / (name + ".1")), std::regex(R"(\\f.|\\[/,&]|\\(?=-))"),
                             "");
+}
+
+STICKSLIP_VERIFIES(HelpedCommand, "U6");
+TEST_F(HelpedCommand, IsVerifiedOrExcludedByNameInTheReport) {
+  const toml::table file = toml::parse_file(STICKSLIP_SOURCE_DIRECTORY "/verification/acceptance.toml");
+  std::vector<std::string> named, all{"complete"};  // which the help does not list
+  for (const auto& [command, reason] : *file["excluded"].as_table()) named.emplace_back(command);
+  for (const toml::node& quantity : *file["quantity"].as_array())
+    for (const toml::node& command : *(*quantity.as_table())["commands"].as_array())
+      named.push_back(command.value_or(std::string()));
+  for (const std::string& entry : entries(help(""), "Subcommands:")) all.push_back(first_word(entry));
+  std::ranges::sort(named);
+  std::ranges::sort(all);
+  EXPECT_EQ(named, all);
 }
 
 STICKSLIP_VERIFIES(ManualPage, "U9");

@@ -43,7 +43,8 @@ class ReportTemplates : public ::testing::Test {
     fs::create_directories(folder_ / "verification" / "mutants");
     data::write_text(folder_ / "verification" / "mutants" / "summary.csv", "part,killed\n");
     data::write_text(folder_ / "verification" / "mutants" / "survivors.toml", "equivalent = []\n");
-    data::write_text(folder_ / "verification" / "acceptance.toml", "result = []\n");
+    data::write_text(folder_ / "verification" / "acceptance.toml",
+                     "result = []\npaper = []\nquantity = []\nexcluded = {}\nguide = []\n");
     fs::create_directories(folder_ / "verification" / "benchmarks" / "results");
     data::write_text(folder_ / "verification" / "benchmarks" / "comparisons.toml", "comparison = []\n");
     data::write_text(folder_ / "verification" / "benchmarks" / "results" / "speed.json",

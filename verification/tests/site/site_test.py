@@ -121,6 +121,14 @@ class Site(unittest.TestCase):
             "return [...document.querySelectorAll('tbody tr:not([hidden])')].map(row => row.cells[2].textContent.trim())")
         self.assertEqual(shown, ["X2"] * count)
 
+    def test_front_page_leads_from_a_use_to_criteria_and_tests_without_templates(self):
+        self.open("index.html")
+        self.assertGreater(self.browser.execute_script("return document.querySelector('img.page').naturalWidth"), 600)
+        self.browser.find_element(By.CSS_SELECTOR, "#force [data-name='Criteria met'] a").click()
+        self.assertGreater(len(self.shown_rows()), 3)
+        for page in SITE.glob("*.html"):
+            self.assertNotRegex(page.read_text(), r"map\(attribute|<<|&lt;&lt;", page.name)
+
     def test_sorts_numbers_by_value_in_both_directions(self):
         self.open("tolerances.html")
         head = self.browser.find_elements(By.CSS_SELECTOR, "th button")[5]
@@ -147,6 +155,7 @@ class Site(unittest.TestCase):
         elements = structure.stdout.split()
         self.open("figures.html")
         self.assertEqual(elements.count("Figure"), len(self.shown_rows()))
+        self.assertEqual([row.find_element(By.TAG_NAME, "td").text for row in self.shown_rows()][:2], ["1", "2"])
         self.assertEqual(elements.count("Document"), 1)
         self.assertGreater(elements.count("H1"), 10)
         self.assertGreater(elements.count("P"), 500)

@@ -3,6 +3,9 @@
 /// implementations refuse.
 
 #include "studies/verification/scope.hpp"
+
+#include <numbers>
+
 #include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/modal_reaction.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
@@ -14,6 +17,8 @@
 #include "studies/common/problem_parameter.hpp"
 #include "studies/history/history_convergence.hpp"
 #include "studies/history/method.hpp"
+#include "studies/verification/amplitude_limits.hpp"
+#include "support/beams.hpp"
 #include "support/paper_case.hpp"
 #include "support/testing.hpp"
 #include "support/vibration.hpp"
@@ -212,6 +217,53 @@ TEST(Refusals, AreForForcesWithoutAStickState) {
     expect_refused(buckled, [&] { (void)model.unit_tip_deflection(); });
     expect_refused(buckled, [&] { (void)analytic::QuasiStaticShape{beam}; });
   }
+}
+
+STICKSLIP_VERIFIES(AmplitudeLimits, "X22");
+TEST(AmplitudeLimits, AreThoseOfTheCommandAndItsSteadyAndShearedBeams) {
+  const data::Case damped = data::load_case("damped");
+  std::vector<studies::CriticalAmplitudeSearch> finite_elements(2);
+  finite_elements[0].frequency_hz = 20.0;
+  finite_elements[0].linear = 1e-3;
+  finite_elements[1].frequency_hz = 70.0;
+  finite_elements[1].linear = 2e-4;
+  const auto study = studies::amplitude_limits(paper(), damped, {20.0, 25.0, 70.0}, finite_elements);
+  const auto critical = [](const data::Case& problem) {
+    return analytic::evaluate_criterion(problem.beam, problem.friction, problem.excitation, 10.0, 10,
+                                        analytic::SteadyPart::modal_sum, 1e-6)
+        .critical_amplitude.midpoint();
+  };
+  for (const auto& limit : study.limits) {
+    data::Case problem = paper_at(limit.frequency_hz);
+    EXPECT_NEAR(limit.start_up, critical(problem), 2e-6 * limit.start_up);
+    EXPECT_NEAR(limit.steady, 300.0 * half_millimetre / studies::steady_force(problem, {}).steady,
+                1e-5 * limit.steady);
+    problem.damping = damped.damping;
+    EXPECT_NEAR(limit.damped_steady, 300.0 * half_millimetre / studies::damped_force(problem).steady,
+                1e-9 * limit.damped_steady);
+    EXPECT_LE(limit.damped_start_up, 1.001 * limit.damped_steady);
+    EXPECT_NEAR(limit.shear / limit.start_up,
+                studies::slender_force(problem).force_max / studies::slender_force(problem).shifted_force_max,
+                1e-5);
+  }
+  // At 25 Hz, next to the resonance, nothing counts; at 70 Hz shear raises the force by 15.5 %.
+  EXPECT_EQ(study.margins.front().frequency_hz, 70.0);
+  EXPECT_NEAR(study.margins.front().fall, 1.0 - 1.0 / 1.155, 5e-4);
+  const double low = 1e-3 / study.limits[0].start_up - 1.0, high = 2e-4 / study.limits[2].start_up - 1.0;
+  EXPECT_EQ(study.compared, 2);
+  EXPECT_NEAR(study.bias, 0.5 * (low + high), 1e-12);
+  EXPECT_NEAR(study.spread, std::abs(low - high) / std::sqrt(2.0), 1e-9);
+}
+
+STICKSLIP_VERIFIES(DimensionlessCase, "U5");
+TEST(DimensionlessCase, OfThePaperHasItsGroups) {
+  const auto groups = studies::dimensionless(data::load_case("damped"));
+  EXPECT_EQ(groups.name, "damped");
+  EXPECT_NEAR(groups.load, 500.0 * 4.0 / (2e9 * 0.1e-3 / 12.0) / 20.19, 1e-6);
+  EXPECT_NEAR(groups.slenderness, 20.0 * std::sqrt(12.0), 1e-9);
+  EXPECT_NEAR(groups.frequency, 25.0 / 24.97196, 1e-6);
+  EXPECT_NEAR(groups.decay, 1e-3 * 50.0 * std::numbers::pi, 1e-12);
+  EXPECT_NEAR(groups.damping, 0.005, 3e-5);
 }
 
 }  // namespace

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "studies/verification/amplitude_limits.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "stickslip/analytic/damped_reaction.hpp"
+#include "stickslip/analytic/damped_steady_state.hpp"
+#include "stickslip/analytic/force_maximum.hpp"
+#include "stickslip/analytic/stick_response.hpp"
+#include "studies/common/parallel.hpp"
+#include "studies/common/problem_parameter.hpp"
+
+namespace stickslip::studies {
+
+namespace {
+
+constexpr double width = 1e-6;
+
+ModelMargin margin_of(const char* model, double AmplitudeLimit::*amplitude, const AmplitudeLimits& study,
+                      const std::vector<double>& natural_hz) {
+  ModelMargin margin{model, 0.0, 0.0};
+  for (const AmplitudeLimit& limit : study.limits) {
+    const double hz = limit.frequency_hz, fall = 1.0 - limit.*amplitude / limit.start_up;
+    const bool near = std::ranges::any_of(
+        natural_hz, [&](double natural) { return std::abs(hz / natural - 1.0) < study.resonance; });
+    if (!near && fall > margin.fall) margin = {model, fall, hz};
+  }
+  return margin;
+}
+
+void compare(AmplitudeLimits& study, const std::vector<CriticalAmplitudeSearch>& finite_elements) {
+  double sum = 0.0, squares = 0.0;
+  for (const CriticalAmplitudeSearch& search : finite_elements)
+    for (const AmplitudeLimit& limit : study.limits)
+      if (limit.frequency_hz == search.frequency_hz) {
+        const double error = search.linear / limit.start_up - 1.0;
+        sum += error;
+        squares += error * error;
+        study.largest = std::max(study.largest, std::abs(error));
+        ++study.compared;
+      }
+  study.bias = sum / study.compared;
+  study.spread = std::sqrt((squares - sum * study.bias) / (study.compared - 1));
+}
+
+}  // namespace
+
+AmplitudeLimits amplitude_limits(const data::Case& paper, const data::Case& damped,
+                                 const std::vector<double>& frequencies_hz,
+                                 const std::vector<CriticalAmplitudeSearch>& finite_elements) {
+  AmplitudeLimits study;
+  study.contact_stiffness = 1000.0;
+  study.resonance = 0.1;
+  const data::Beam& beam = paper.beam;
+  const int modes = paper.numerics.modes();
+  const double friction = friction_limit(paper), duration = paper.numerics.duration();
+  const double tip_stiffness =
+      3.0 * beam.youngs_modulus() * beam.second_moment_of_area() / std::pow(beam.length(), 3);
+  const auto reaction = analytic::modal_reaction(beam, modes);
+  const auto sheared = analytic::modal_reaction(with_shear(beam), modes);
+  const auto fixed = analytic::modal_reaction(with_value(paper, "beam.axial_direction", 1.0).beam, modes);
+  const auto decaying = analytic::damped_reaction(beam, damped.damping, modes);
+  const auto compliant =
+      analytic::compliant_reaction(beam, {}, study.contact_stiffness * tip_stiffness, modes);
+  study.limits.resize(frequencies_hz.size());
+  in_parallel(frequencies_hz.size(), [&](std::size_t i) {
+    const data::HarmonicExcitation unit({.frequency_hz = frequencies_hz[i], .amplitude = 1.0});
+    const double omega = angular_frequency(unit);
+    const auto undamped_limit = [&](const analytic::ModalReaction& of) {
+      return friction / analytic::ForceMaximum(of, omega, duration).refined_to(width).midpoint();
+    };
+    const auto limit = [&](const analytic::DampedReaction& of) {
+      return friction / analytic::DampedForce(of, omega, duration).refined_to(width).midpoint();
+    };
+    const analytic::StickResponse steady(beam, unit, modes, analytic::SteadyPart::exact);
+    const analytic::DampedSteadyState damped_steady(beam, unit, damped.damping, analytic::TipSupport::held);
+    study.limits[i] = {.frequency_hz = frequencies_hz[i],
+                       .start_up = undamped_limit(reaction),
+                       .steady = friction / std::abs(steady.steady_force_amplitude()),
+                       .damped_start_up = limit(decaying),
+                       .damped_steady = friction / std::abs(damped_steady.friction_force()),
+                       .shear = undamped_limit(sheared),
+                       .fixed_direction = undamped_limit(fixed),
+                       .compliant = limit(compliant)};
+  });
+  std::vector<double> natural_hz;
+  for (const auto& mode : analytic::stick_modes(beam, modes)) natural_hz.push_back(mode.frequency_hz());
+  study.margins = {
+      margin_of("Shear and rotary inertia", &AmplitudeLimit::shear, study, natural_hz),
+      margin_of("Axial force of fixed direction", &AmplitudeLimit::fixed_direction, study, natural_hz),
+      margin_of("Contact that yields", &AmplitudeLimit::compliant, study, natural_hz)};
+  compare(study, finite_elements);
+  return study;
+}
+
+}  // namespace stickslip::studies

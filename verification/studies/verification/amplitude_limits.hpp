@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// The critical amplitude of the base over its frequency by each reading of the criterion and in each model, and how far
+/// the first reading may be trusted between the resonances.
+
+#include <string>
+#include <vector>
+
+#include "stickslip/data/problem.hpp"
+#include "studies/analyses/criterion_answer.hpp"
+#include "studies/common/members.hpp"
+
+namespace stickslip::studies {
+
+/// μ_s P over the largest |f| per unit amplitude, m. The start-ups last numerics.duration() and have numerics.modes().
+struct AmplitudeLimit {
+  double frequency_hz{};
+  double start_up{}, steady{};                ///< without damping
+  double damped_start_up{}, damped_steady{};  ///< with the damping of the damped case
+  double shear{};            ///< start-up of the beam with shear and rotary inertia (with_shear())
+  double fixed_direction{};  ///< start-up under an axial force that keeps its direction
+  double compliant{};        ///< start-up on a contact with k_t = AmplitudeLimits::contact_stiffness 3 EI/L³
+};
+STICKSLIP_MEMBERS(AmplitudeLimit, (frequency_hz, "Hz"), (start_up, "m"), (steady, "m"),
+                  (damped_start_up, "m"), (damped_steady, "m"), (shear, "m"), (fixed_direction, "m"),
+                  (compliant, "m"))
+
+/// The largest relative fall of the critical amplitude in another model, at frequencies that are farther than
+/// AmplitudeLimits::resonance from each natural frequency of the stick state.
+struct ModelMargin {
+  std::string model;
+  double fall{}, frequency_hz{};
+};
+STICKSLIP_MEMBERS(ModelMargin, (model, "-"), (fall, "1"), (frequency_hz, "Hz"))
+
+struct AmplitudeLimits {
+  std::vector<AmplitudeLimit> limits;
+  double contact_stiffness{}, resonance{};  ///< as above
+  std::vector<ModelMargin> margins;
+  /// Critical amplitudes of finite elements (CriticalAmplitudeSearch::linear) over start_up, of all frequencies that both
+  /// have: mean minus one, standard deviation, and largest distance from one.
+  double bias{}, spread{}, largest{};
+  int compared{};
+};
+STICKSLIP_MEMBERS(AmplitudeLimits, (limits), (contact_stiffness, "1"), (resonance, "1"), (margins),
+                  (bias, "1"), (spread, "1"), (largest, "1"), (compared, "1"))
+
+/// `damped` gives the damping. Uses thread_count() threads; the result does not depend on their number.
+[[nodiscard]] AmplitudeLimits amplitude_limits(const data::Case& paper, const data::Case& damped,
+                                               const std::vector<double>& frequencies_hz,
+                                               const std::vector<CriticalAmplitudeSearch>& finite_elements);
+
+}  // namespace stickslip::studies
