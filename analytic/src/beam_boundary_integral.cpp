@@ -144,10 +144,11 @@ BeamBoundaryIntegral::BeamBoundaryIntegral(const data::Beam& beam, const data::F
                                            const data::TangentialContact& tangential)
     : beam_(beam), excitation_(excitation), damping_(damping), grid_(grid), stages_(stages) {
   require_compression(beam);
+  const ContactLaw law{beam.axial_force(), friction, tangential, grid.time_step};
+  require_unique_step(law, 0.0);  // what is refused without the weights, which take long
   const TipMobility mobility(beam, damping);
   holding_force_ = holding_force(beam, excitation, damping, grid);
-  steps_ = contact_steps(mobility_weights(mobility, grid.time_step, grid.steps, stages),
-                         {beam.axial_force(), friction, tangential, grid.time_step}, holding_force_);
+  steps_ = contact_steps(mobility_weights(mobility, grid.time_step, grid.steps, stages), law, holding_force_);
 }
 
 std::vector<double> BeamBoundaryIntegral::tip_displacement(std::size_t every) const {

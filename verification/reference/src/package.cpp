@@ -4,12 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <utility>
 
 #include "sets.hpp"
 #include "stickslip/data/input_text.hpp"
+#include "stickslip/data/reference.hpp"
 
 namespace stickslip::reference {
 
@@ -55,6 +57,15 @@ std::string csv_of(const DataSet& set) {
   return text;
 }
 
+// Version and date at the head of the newest entry of the changelog of the data, "## 1.1.0, 2026-11-25".
+std::pair<std::string, std::string> newest_version() {
+  std::ifstream changelog(data::reference_directory() / "CHANGELOG.md");
+  for (std::string line; std::getline(changelog, line);)
+    if (const std::size_t comma = line.find(", "); line.starts_with("## ") && comma != std::string::npos)
+      return {line.substr(3, comma - 3), line.substr(comma + 2)};
+  throw std::runtime_error("data/reference/CHANGELOG.md has no entry");
+}
+
 }  // namespace
 
 const std::vector<Recipe>& recipes() {
@@ -87,6 +98,7 @@ std::map<std::string, std::string> package_files(const std::vector<DataSet>& set
   for (const Recipe& recipe : recipes())
     if (const auto made = by_name.find(std::string(recipe.name)); made != by_name.end())
       resources.push_back(made->second);
+  const auto [version, date] = newest_version();
   const Json package{
       {"profile", "tabular-data-package"},
       {"name", "stickslip-reference"},
@@ -96,8 +108,8 @@ std::map<std::string, std::string> package_files(const std::vector<DataSet>& set
        "The problem of Won, Lee and Chung, Stick-slip vibration of a cantilever beam subjected to harmonic "
        "base excitation, Nonlinear Dynamics (2018), and its parts: numbers with the half-widths of their "
        "uncertainties, for checking other implementations. README.md explains the files."},
-      {"version", "1.1.0"},
-      {"created", "2026-11-25T00:00:00Z"},
+      {"version", version},
+      {"created", date + "T00:00:00Z"},
       {"keywords", {"stick-slip", "friction", "vibration", "beam", "verification", "benchmark"}},
       {"sources",
        {{{"title",
