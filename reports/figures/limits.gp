@@ -15,7 +15,7 @@ set format y '%g'
 set xtics 20
 unset grid
 set key above horizontal center samplen 3 maxrows 2 width -4
-set margins screen 0.085, screen 0.985, screen 0.115, screen 0.86
+set margins screen 0.085, screen 0.965, screen 0.115, screen 0.86
 set arrow from natural1, graph 0 to natural1, graph 1 nohead linestyle 3 front
 set arrow from natural2, graph 0 to natural2, graph 1 nohead linestyle 3 front
 set label sprintf('%.1f Hz', natural1) at natural1 + 1, 14 left front
