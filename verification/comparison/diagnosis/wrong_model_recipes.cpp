@@ -560,9 +560,6 @@ Recipes friction_law_mistakes() {
       smoothed_over(
           "regularised-friction",
           "the jump at v_s = 0 is smoothed over 10 mm/s, so that the tip creeps instead of sticking", 0.01),
-      smoothed_over("sharply-regularised-friction",
-                    "the jump at v_s = 0 is smoothed over 1 mm/s, so that the tip creeps instead of sticking",
-                    1e-3),
       smoothed_over(
           "widely-regularised-friction",
           "the jump at v_s = 0 is smoothed over 100 mm/s, so that the tip creeps instead of sticking", 0.1),

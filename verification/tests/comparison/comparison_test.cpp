@@ -522,28 +522,28 @@ TEST_P(DiagnosisOfMistake, TheMistakeThatWasMade) {
   EXPECT_NE(diagnosis.sentence.find(wrong_model), std::string::npos) << diagnosis.sentence;
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    WrongModels, DiagnosisOfMistake,
-    ::testing::Values(Mistake{"stick-frequencies", "second-moment-as-printed", "paper"},
-                      Mistake{"stick-frequencies", "lumped-mass", "paper"},
-                      Mistake{"stick-frequencies", "axial-force-left-out", "paper"},
-                      Mistake{"quasi-static-shape", "tension", "paper"},
-                      Mistake{"stick-force", "zero-initial-velocity", "paper"},
-                      Mistake{"stick-force", "start-from-rest", "paper"},
-                      Mistake{"stick-force", "force-sign", "paper"},
-                      Mistake{"stick-force", "dead-load", "paper"},
-                      Mistake{"stick-force", "peak-to-peak-amplitude", "paper"},
-                      Mistake{"damped-events", "damping-left-out", "damped"},
-                      Mistake{"damped-events", "kinetic-friction-at-once", "damped"},
-                      Mistake{"damped-history", "one-friction-coefficient", "damped"},
-                      Mistake{"damped-history", "regularised-friction", "damped"},
-                      Mistake{"damped-history", "sharply-regularised-friction", "damped"},
-                      Mistake{"damped-history", "widely-regularised-friction", "damped"}),
-    [](const auto& instance) {
-      std::string name = std::string(instance.param.set) + "_" + instance.param.wrong_model;
-      std::ranges::replace(name, '-', '_');
-      return name;
-    });
+INSTANTIATE_TEST_SUITE_P(WrongModels, DiagnosisOfMistake,
+                         ::testing::Values(Mistake{"stick-frequencies", "second-moment-as-printed", "paper"},
+                                           Mistake{"stick-frequencies", "lumped-mass", "paper"},
+                                           Mistake{"stick-frequencies", "axial-force-left-out", "paper"},
+                                           Mistake{"quasi-static-shape", "tension", "paper"},
+                                           Mistake{"stick-force", "zero-initial-velocity", "paper"},
+                                           Mistake{"stick-force", "start-from-rest", "paper"},
+                                           Mistake{"stick-force", "force-sign", "paper"},
+                                           Mistake{"stick-force", "dead-load", "paper"},
+                                           Mistake{"stick-force", "peak-to-peak-amplitude", "paper"},
+                                           Mistake{"damped-events", "damping-left-out", "damped"},
+                                           Mistake{"damped-events", "kinetic-friction-at-once", "damped"},
+                                           Mistake{"damped-history", "one-friction-coefficient", "damped"},
+                                           Mistake{"damped-history", "regularised-friction", "damped"},
+                                           Mistake{"damped-history", "widely-regularised-friction",
+                                                   "damped"}),
+                         [](const auto& instance) {
+                           std::string name =
+                               std::string(instance.param.set) + "_" + instance.param.wrong_model;
+                           std::ranges::replace(name, '-', '_');
+                           return name;
+                         });
 
 STICKSLIP_VERIFIES(DiagnosisOfNothing, "X20");
 TEST(DiagnosisOfNothing, IsNoise) {
