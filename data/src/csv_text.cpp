@@ -116,6 +116,14 @@ std::string other_format(std::string_view text) {
   return text.find('\0') != std::string_view::npos ? "is no text in UTF-8" : "";
 }
 
+// Whether a byte beyond ASCII is part of no character in UTF-8, so that `printable` replaces it.
+bool has_foreign_letter(std::string_view text) {
+  const auto letters = [](std::string_view of) {
+    return std::ranges::count_if(of, [](char c) { return static_cast<unsigned char>(c) > 0x7FU; });
+  };
+  return letters(printable(text, text.size())) < letters(text);
+}
+
 // What is compressed here, of all members of the file.
 std::string decompressed(const std::string& file, std::string text) {
   constexpr int gzip_window = 16 + MAX_WBITS;
@@ -169,6 +177,10 @@ CsvReader::CsvReader(std::filesystem::path file, std::string_view text, Cells na
     return;
   }
   find_names(*first, comments);
+  for (const std::string& name : names_)
+    if (has_foreign_letter(name))
+      throw InputError(place(line_of_names_) + ": the name of a column, " + printable(name) +
+                       ", is no text in UTF-8 (Latin-1?), but must be");
   if (separator_ != blank || !held_) return;
   if (const auto row = cells_of(*held_, separator_); row.size() == names_.size() + 1)
     names_.insert(names_.begin(), "");

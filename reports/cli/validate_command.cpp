@@ -61,7 +61,13 @@ Answer validated(const ValidateOptions& options, Outputs& outputs) {
   add_comparisons(answer, comparisons);
   answer.add_line("\nBias and spread: mean and standard deviation of E/D over all set points");
   answer.add_table("bias", table_of(validation::biases(comparisons)));
-  answer.add_members({{"unrecorded_predictions", unrecorded}});
+  const auto absent =
+      options.raw.empty() ? std::vector<std::string>{} : validation::experiments_without_records(options.raw);
+  for (const std::string& experiment : absent)
+    answer.add_line(
+        fmt::format("\n{}: no folder of raw records of {} below it; its values are those of figures.csv",
+                    options.raw, experiment));
+  answer.add_members({{"unrecorded_predictions", unrecorded}, {"experiments_without_records", absent}});
   answer.add_line(unrecorded.empty() ? "\nThe models predict now what is recorded." : "");
   for (const std::string& sentence : unrecorded) answer.add_line(sentence);
   require_finite(answer.json);

@@ -92,13 +92,24 @@ FigureTable measured_figures() {
   return figures;
 }
 
+std::vector<std::string> experiments_without_records(const std::filesystem::path& folder) {
+  std::vector<std::string> all;
+  for (const SetPoint& point : set_points()) {
+    std::error_code none;  // a name that is too long is not there either
+    if (!std::filesystem::exists((folder / point.file).parent_path(), none) &&
+        std::ranges::find(all, point.experiment) == all.end())
+      all.push_back(point.experiment);
+  }
+  return all;
+}
+
 FigureTable raw_figures(const std::filesystem::path& folder) {
   FigureTable all = measured_figures();
+  const std::vector<std::string> absent = experiments_without_records(folder);
   bool is_read = false;
   for (const SetPoint& point : set_points()) {
+    if (std::ranges::find(absent, point.experiment) != absent.end()) continue;
     const std::filesystem::path file = folder / point.file;
-    std::error_code none;  // a name that is too long is not there either
-    if (!std::filesystem::exists(file.parent_path(), none)) continue;
     is_read = true;
     if (data::sha256(data::read_bounded(file, longest_file)) != point.sha256)
       throw data::InputError(file.string() + ": is not the file that records.csv has the digest of");

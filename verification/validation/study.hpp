@@ -45,6 +45,9 @@ using FigureTable = std::map<std::pair<std::string, std::string>, Figure>;
 /// data::InputError if there is none at all, and if the digest of a file is not that of records.csv.
 [[nodiscard]] FigureTable raw_figures(const std::filesystem::path& folder);
 
+/// The experiments of records.csv that have no folder of raw files below a folder, each once.
+[[nodiscard]] std::vector<std::string> experiments_without_records(const std::filesystem::path& folder);
+
 /// What a model says of a quantity of a record.
 struct Prediction {
   std::string record, quantity;

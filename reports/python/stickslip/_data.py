@@ -196,6 +196,9 @@ def _from_file(file, name, given):
             names, rows = (united, rows[1:]) if united else (names, rows)
     except csv.Error:
         raise InputError(f"{name}:{i}: a quote is not closed, or something follows it: {line[:60]}") from None
+    foreign = next((one for one in names if "\ufffd" in one), None)
+    if foreign:
+        raise InputError(f"{name}:{rows[0][0] - 1}: the name of a column, {foreign}, is no text in UTF-8 (Latin-1?), but must be")
     if separator == " " and not given and rows and len(rows[0][1]) == len(names) + 1:
         names = ["", *names]  # R names the rows
     for i, row in rows:

@@ -406,6 +406,14 @@ Recipes response_mistakes() {
                mode.initial_rate = mode.participation - mode.rigid_participation;
            },
        .start = solver::InitialVelocity::zero},
+      {.wrong_model = {"start-from-rest", "y_t(x,0) = 0, with the whole beam at rest while the base moves",
+                       "Sect. 3, initial conditions", held_motion},
+       .equations =
+           [](StickSum& sum, const data::Case& problem) {
+             sum.modes.resize(static_cast<std::size_t>(problem.numerics.modes()));
+             for (StickSum::Mode& mode : sum.modes) mode.initial_rate = mode.participation;
+           },
+       .knows_stick_slip = false},
       with_modes("one-mode", "one mode", 1),
       with_modes("two-modes", "two modes", 2),
       with_modes("three-modes", "three modes", 3),
@@ -511,6 +519,15 @@ Recipes damping_mistakes() {
   };
 }
 
+// The law times tanh(v_s/width), width in m/s.
+WrongModelRecipe smoothed_over(const char* name, const char* mistake, double width) {
+  return {.wrong_model = {name, mistake, "Eq. (6)", stick_slip},
+          .law = FrictionRule{[width](const data::FrictionLaw& law, double v) {
+                                return coefficient_at(law, std::abs(v)) * std::tanh(v / width);
+                              },
+                              false}};
+}
+
 Recipes friction_law_mistakes() {
   return {
       {.wrong_model = {"kinetic-coefficient-as-limit", "mu_m limits the static friction force", "Eq. (4)",
@@ -540,14 +557,12 @@ Recipes friction_law_mistakes() {
        .law = FrictionRule{[](const data::FrictionLaw& law, double v) {
          return sign(v) * coefficient_at(law, v);
        }}},
-      {.wrong_model =
-           {"regularised-friction",
-            "the jump at v_s = 0 is smoothed over 10 mm/s, so that the tip creeps instead of sticking",
-            "Eq. (6)", stick_slip},
-       .law = FrictionRule{[](const data::FrictionLaw& law, double v) {
-                             return coefficient_at(law, std::abs(v)) * std::tanh(v / 0.01);
-                           },
-                           false}},
+      smoothed_over(
+          "regularised-friction",
+          "the jump at v_s = 0 is smoothed over 10 mm/s, so that the tip creeps instead of sticking", 0.01),
+      smoothed_over(
+          "widely-regularised-friction",
+          "the jump at v_s = 0 is smoothed over 100 mm/s, so that the tip creeps instead of sticking", 0.1),
   };
 }
 

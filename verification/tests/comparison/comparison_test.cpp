@@ -528,13 +528,16 @@ INSTANTIATE_TEST_SUITE_P(WrongModels, DiagnosisOfMistake,
                                            Mistake{"stick-frequencies", "axial-force-left-out", "paper"},
                                            Mistake{"quasi-static-shape", "tension", "paper"},
                                            Mistake{"stick-force", "zero-initial-velocity", "paper"},
+                                           Mistake{"stick-force", "start-from-rest", "paper"},
                                            Mistake{"stick-force", "force-sign", "paper"},
                                            Mistake{"stick-force", "dead-load", "paper"},
                                            Mistake{"stick-force", "peak-to-peak-amplitude", "paper"},
                                            Mistake{"damped-events", "damping-left-out", "damped"},
                                            Mistake{"damped-events", "kinetic-friction-at-once", "damped"},
                                            Mistake{"damped-history", "one-friction-coefficient", "damped"},
-                                           Mistake{"damped-history", "regularised-friction", "damped"}),
+                                           Mistake{"damped-history", "regularised-friction", "damped"},
+                                           Mistake{"damped-history", "widely-regularised-friction",
+                                                   "damped"}),
                          [](const auto& instance) {
                            std::string name =
                                std::string(instance.param.set) + "_" + instance.param.wrong_model;

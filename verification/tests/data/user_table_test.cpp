@@ -301,6 +301,8 @@ TEST_F(UserTable, RefusesAnotherFormatThanText) {
            {" {\"beam\": 1}\n", ": is a JSON file, but must be a table in text, as CSV"},
            {"[{\"beam\": 1}]", ": is a JSON file, but must be a table in text, as CSV"},
            {"<?xml version=\"1.0\"?>", ": is an XML or HTML file, but must be a table in text, as CSV"},
+           {"beam,mode,frequency [\xB5Hz]\npaper,1,25\n",
+            ":1: the name of a column, frequency [?Hz], is no text in UTF-8 (Latin-1?), but must be"},
            {"PAR1\x15", ": is a Parquet file, but must be a table in text, as CSV"},
            {"---\nbeam: paper\n", ": is a YAML file, but must be a table in text, as CSV"},
            {"***** ANSYS *****\n",

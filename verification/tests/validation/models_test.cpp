@@ -8,6 +8,7 @@
 #include "stickslip/data/input_error.hpp"
 #include "studies/verification/proposed_rig.hpp"
 #include "support/contact_models.hpp"
+#include "support/input_folder.hpp"
 #include "support/testing.hpp"
 #include "validation/models.hpp"
 #include "validation/study.hpp"
@@ -240,6 +241,15 @@ TEST(MeasuredComparison, TablesAreThoseOfTheRawRecords) {
   for (const auto& [key, figure] : validation::raw_figures(folder))
     EXPECT_NEAR(table.at(key).value, figure.value, 1e-5 * std::abs(figure.value))
         << key.first << " " << key.second;
+}
+
+TEST(MeasuredComparison, NamesTheExperimentsWithoutRawRecords) {
+  const InputFolder folder;
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(validation::experiments_without_records(folder.path()),
+            (Names{"paper-slider", "friction-damper", "strip"}));
+  std::filesystem::create_directory(folder.path() / "friction-damper");
+  EXPECT_EQ(validation::experiments_without_records(folder.path()), (Names{"paper-slider", "strip"}));
 }
 
 STICKSLIP_VERIFIES(ProposedRig, "K3");
