@@ -4,13 +4,11 @@
 /// What the subcommands have in common: which problem, and in which form to answer.
 
 #include <CLI/CLI.hpp>
-#include <array>
 #include <charconv>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <system_error>
-#include <utility>
 #include <vector>
 
 #include "answer.hpp"

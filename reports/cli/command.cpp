@@ -13,7 +13,6 @@
 #include "case_options.hpp"
 #include "render/external_tool.hpp"
 #include "render/report.hpp"
-#include "stickslip/data/atomic_file.hpp"
 #include "stickslip/data/input_error.hpp"
 #include "stickslip/data/input_text.hpp"
 #include "stickslip/version.hpp"
@@ -117,7 +116,7 @@ Outputs::Open* Outputs::find(std::string_view option) {
   return found == files_.end() ? nullptr : &*found;
 }
 
-OutputFile& Outputs::file(std::string_view option) {
+data::AtomicFile& Outputs::file(std::string_view option) {
   if (Open* const open = find(option); open != nullptr) return open->file;
   throw std::logic_error(fmt::format("{} names no file", option));
 }

@@ -15,10 +15,10 @@
 #include <vector>
 
 #include "answer.hpp"
-#include "output_file.hpp"
 #include "render/drawing.hpp"
 #include "render/interruption.hpp"
 #include "render/progress.hpp"
+#include "stickslip/data/atomic_file.hpp"
 #include "stickslip/data/problem.hpp"
 
 namespace stickslip::cli {
@@ -55,7 +55,7 @@ class Outputs {
   [[nodiscard]] bool has(std::string_view option) { return find(option) != nullptr; }
 
   /// The file of an option that is given, to write in parts; commit() puts it in place.
-  [[nodiscard]] OutputFile& file(std::string_view option);
+  [[nodiscard]] data::AtomicFile& file(std::string_view option);
   void commit(std::string_view option);
 
   /// Writes the whole file of an option and puts it in place; without the option `text` is not called. The title of a table, a
@@ -81,7 +81,7 @@ class Outputs {
   struct Open {
     explicit Open(const Named& named) : name(named), file(named.path) {}
     Named name;
-    OutputFile file;
+    data::AtomicFile file;
     bool is_written{};
   };
 

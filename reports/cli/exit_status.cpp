@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "output_file.hpp"
+#include "stickslip/data/atomic_file.hpp"
 #include "stickslip/data/input_error.hpp"
 #include "stickslip/data/input_text.hpp"
 #include "stickslip/data/mistakes.hpp"
@@ -86,7 +86,7 @@ int exit_status_of(const std::function<int()>& work) {
     return unusable;
   } catch (const data::InputError& error) {
     return told(error.what(), unusable);
-  } catch (const OutputError& error) {
+  } catch (const data::OutputError& error) {
     return told(error.what(), unusable);
   } catch (const std::logic_error& error) {
     return told(fmt::format("this is a mistake in stickslip itself, not in the input: {}", error.what()),

@@ -2,19 +2,11 @@
 #include "map_part.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
-#include <sys/file.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <limits>
 #include <map>
-#include <optional>
-#include <span>
-#include <stdexcept>
 #include <system_error>
-#include <utility>
 
 #include "case_options.hpp"
 #include "command.hpp"
@@ -24,57 +16,6 @@
 #include "stickslip/data/input_text.hpp"
 
 namespace stickslip::cli {
-
-namespace {
-
-[[noreturn]] void fail_to_merge(const std::string& file, const std::string& why) {
-  throw data::InputError(fmt::format("--merge: {} {}", file, why));
-}
-
-struct PartFile {
-  std::string text;
-  Json description;
-  MapPart part;
-};
-
-std::string text_in(const std::string& file) try {
-  return data::read_bounded(file, largest_file);
-} catch (const data::InputError& error) {
-  throw data::InputError(std::string("--merge: ") + error.what());
-}
-
-PartFile opened(const std::string& file) try {
-  std::string text = text_in(file);
-  const auto description = description_in(text);
-  if (!description) fail_to_merge(file, "is no shard of a map");
-  if (const auto by = description->value("program", "another program"); by != program())
-    fail_to_merge(file, fmt::format("was made by {}, but must be by {}", by, program()));
-  const MapPart part{.part = description->at("part"), .parts = description->at("parts")};
-  if (!part.exists())
-    fail_to_merge(file, fmt::format("is shard {} of {}, but must be one of 1 to {}", part.part, part.parts,
-                                    part.parts));
-  (void)task_of(*description);
-  return {std::move(text), *description, part};
-} catch (const Json::exception&) {
-  fail_to_merge(file, "is no shard of a map");
-}
-
-void require_all(const std::vector<std::string>& file_of_part, const std::string& one) {
-  constexpr std::size_t named = 5;
-  std::vector<std::size_t> missing;
-  for (std::size_t part = 1; part <= file_of_part.size(); ++part)
-    if (file_of_part[part - 1].empty()) missing.push_back(part);
-  if (missing.empty()) return;
-  const std::size_t more = missing.size() - std::min(missing.size(), named);
-  throw data::InputError(fmt::format("--merge: shard {}{} of {} {} missing beside {}",
-                                     fmt::join(std::span(missing).first(missing.size() - more), ", "),
-                                     more > 0 ? fmt::format(" and {} more", more) : "", file_of_part.size(),
-                                     missing.size() == 1 ? "is" : "are", one));
-}
-
-}  // namespace
-
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -228,109 +169,16 @@ std::string part_text(const studies::MapTask& task, const MapPart& part,
   return text;
 }
 
-bool holds_part(const fs::path& file, const studies::MapTask& task, const MapPart& part) {
+bool holds_part(const std::filesystem::path& file, const studies::MapTask& task, const MapPart& part) {
   std::error_code error;
-  if (!fs::is_regular_file(file, error) || fs::file_size(file, error) > largest_file) return false;
+  if (!std::filesystem::is_regular_file(file, error) ||
+      std::filesystem::file_size(file, error) > largest_file)
+    return false;
   const std::string text = data::read_text(file);
   studies::MapEvaluations evaluations(studies::evaluation_count(task));
   if (!text.starts_with(part_header(task, part))) return false;
   const PartRows rows = read_rows(text, task, part, evaluations);
   return rows.end == text.size() && rows.count == part.numbers(evaluations.size()).size();
-}
-
-MergedMap merged(const std::vector<std::string>& files) {
-  const PartFile first = opened(files.front());
-  MergedMap map{task_of(first.description), {}};
-  map.evaluations.resize(studies::evaluation_count(map.task));
-  std::vector<std::string> file_of_part(first.part.parts);
-  for (const std::string& name : files) {
-    const PartFile file = opened(name);
-    if (const auto why = difference(file.description, first.description))
-      fail_to_merge(name, "is a shard of another map: " + *why);
-    std::string& same_part = file_of_part[file.part.part - 1];
-    if (!same_part.empty())
-      fail_to_merge(
-          name, fmt::format("is shard {} of {}, but so is {}", file.part.part, file.part.parts, same_part));
-    same_part = name;
-    const PartRows rows = read_rows(file.text, map.task, file.part, map.evaluations);
-    if (rows.end != file.text.size())
-      fail_to_merge(name, fmt::format("is damaged in line {}", rows.count + 3));
-    if (const auto count = file.part.numbers(map.evaluations.size()).size(); rows.count != count)
-      fail_to_merge(name, fmt::format("is not finished: it holds {} of {} evaluations", rows.count, count));
-  }
-  require_all(file_of_part, files.front());
-  return map;
-}
-
-namespace fs = std::filesystem;
-
-UnfinishedMap::UnfinishedMap(fs::path file, const studies::MapTask& task, const MapPart& part,
-                             studies::MapEvaluations& evaluations)
-    : file_(std::move(file)), task_(task), evaluations_(evaluations) {
-  if (file_.empty()) return;
-  open();
-  const std::string text = data::read_text(file_), wanted = part_header(task, part);
-  PartRows rows;
-  if (text.starts_with(wanted)) {
-    rows = read_rows(text, task, part, evaluations);
-  } else if (!wanted.starts_with(text)) {
-    std::fclose(stream_);
-    const auto found = description_in(text);
-    const std::string why =
-        !found ? "it is no beginning of a map"
-               : difference(*found, description_in(wanted).value())  // as read: infinity is null
-                     .value_or(fmt::format("its part is {}, but must be {}",
-                                           found->value("part", Json()).dump(), part.part));
-    throw data::InputError(
-        fmt::format("{} belongs to other work: {}; remove it or name another --output", file_.string(), why));
-  }
-  if (::ftruncate(::fileno(stream_), static_cast<off_t>(rows.end)) != 0) fail();
-  if (rows.end == 0) append(wanted);
-  found_ = kept_ = rows.count;
-}
-
-UnfinishedMap::~UnfinishedMap() {
-  if (stream_ != nullptr) std::fclose(stream_);
-}
-
-void UnfinishedMap::keep(std::span<const std::size_t> numbers) {
-  if (file_.empty()) return;
-  std::string text;
-  for (const std::size_t number : numbers) text += part_row(task_, number, *evaluations_[number]);
-  append(text);
-  kept_ += numbers.size();
-}
-
-void UnfinishedMap::remove_if_impossible(const std::function<void()>& work) {
-  try {
-    work();
-  } catch (const data::InputError&) {
-    remove();
-    throw;
-  }
-}
-
-void UnfinishedMap::remove() {
-  std::error_code ignored;  // nothing is left to be done about a file that cannot be removed
-  if (!file_.empty()) fs::remove(file_, ignored);
-}
-
-void UnfinishedMap::open() {
-  stream_ = std::fopen(file_.c_str(), "abe");
-  if (stream_ == nullptr) fail();
-  if (::flock(::fileno(stream_), LOCK_EX | LOCK_NB) == 0) return;
-  std::fclose(stream_);
-  throw data::InputError(fmt::format(
-      "{} is being written by another run; wait for it or name another --output", file_.string()));
-}
-
-void UnfinishedMap::append(std::string_view text) {
-  if (std::fwrite(text.data(), 1, text.size(), stream_) != text.size() || std::fflush(stream_) != 0) fail();
-}
-
-void UnfinishedMap::fail() const {
-  throw data::OutputError(
-      fmt::format("{} cannot be written: {}", file_.string(), std::generic_category().message(errno)));
 }
 
 }  // namespace stickslip::cli

@@ -17,6 +17,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "answer.hpp"
@@ -82,14 +83,10 @@ struct PartRows {
 [[nodiscard]] bool holds_part(const std::filesystem::path& file, const studies::MapTask& task,
                               const MapPart& part);
 
-struct MergedMap {
-  studies::MapTask task;
-  studies::MapEvaluations evaluations;
-};
-
-/// The map that the files of all its parts make. Throws data::InputError, naming the file and what is wrong
+/// The map that the files of all its parts make, with all its evaluations. Throws data::InputError, naming the file and what is wrong
 /// with it, unless they belong to one map made by this program and no evaluation is missing, double or unreadable.
-[[nodiscard]] MergedMap merged(const std::vector<std::string>& files);
+[[nodiscard]] std::pair<studies::MapTask, studies::MapEvaluations> merged(
+    const std::vector<std::string>& files);
 
 /// What is finished of a part, beside its output: added to as the work goes on, whatever ends it, and read
 /// by the next run of the same work.

@@ -161,10 +161,10 @@ Answer part_of_map(const studies::MapTask& task, const MapPart& part, const MapF
 }
 
 Answer merged_map(const std::vector<std::string>& parts, const MapFiles& files, Outputs& outputs) {
-  const MergedMap map = merged(parts);
-  outputs.about(map.task.problem);
+  const auto [task, evaluations] = merged(parts);
+  outputs.about(task.problem);
   outputs.open({{"--output", files.output}, {"--figure", files.figure}});
-  return finish(map.task, map.evaluations, files, outputs);
+  return finish(task, evaluations, files, outputs);
 }
 
 Answer cost_of_map(const studies::MapTask& task, const MapPart& part, Outputs& outputs) {

@@ -10,7 +10,7 @@
 #include "command.hpp"
 #include "commands.hpp"
 #include "exit_status.hpp"
-#include "output_file.hpp"
+#include "stickslip/data/atomic_file.hpp"
 #include "stickslip/data/input_error.hpp"
 #include "studies/common/parallel.hpp"
 
@@ -49,7 +49,7 @@ int run(int argc, const char* const* argv) {
     throw data::InputError(sentence_for(app, error));
   }
   std::cout.flush();
-  if (std::fflush(stdout) != 0 || !std::cout) throw OutputError("standard output cannot be written");
+  if (std::fflush(stdout) != 0 || !std::cout) throw data::OutputError("standard output cannot be written");
   return done;
 }
 

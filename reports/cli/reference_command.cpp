@@ -7,7 +7,6 @@
 #include <limits>
 #include <string>
 #include <system_error>
-#include <vector>
 
 #include "case_options.hpp"
 #include "command.hpp"

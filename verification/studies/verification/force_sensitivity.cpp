@@ -9,7 +9,6 @@
 #include <cstddef>
 #include <functional>
 #include <iterator>
-#include <limits>
 #include <numbers>
 
 #include "stickslip/analytic/stick_response.hpp"

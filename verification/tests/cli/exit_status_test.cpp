@@ -5,7 +5,7 @@
 
 #include "exit_status.hpp"
 #include "map_part.hpp"
-#include "output_file.hpp"
+#include "stickslip/data/atomic_file.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "support/testing.hpp"
 
@@ -28,7 +28,8 @@ TEST(ExitStatus, IsThatOfTheWork) {
 TEST(ExitStatus, IsTwoForWhatTheUserCanMend) {
   EXPECT_EQ(told_after(data::FieldError("beam.length", -2.0, "above 0"), 2),
             "stickslip: beam.length is -2, but must be above 0\n");
-  EXPECT_EQ(told_after(OutputError("a.csv cannot be written"), 2), "stickslip: a.csv cannot be written\n");
+  EXPECT_EQ(told_after(data::OutputError("a.csv cannot be written"), 2),
+            "stickslip: a.csv cannot be written\n");
   const std::string longest(2000, 'a');
   EXPECT_EQ(told_after(data::InputError(longest), 2), "stickslip: " + longest + "\n");
   EXPECT_EQ(told_after(data::InputError(longest + "a"), 2), "stickslip: " + longest + "...\n");
@@ -78,7 +79,7 @@ STICKSLIP_VERIFIES(UnfinishedMap, "U10");
 TEST(UnfinishedMap, SurvivesAllButAnErrorInTheInput) {
   EXPECT_TRUE(keeps_its_file(std::logic_error("a mistake of our own")));
   EXPECT_TRUE(keeps_its_file(std::runtime_error("a run that fails")));
-  EXPECT_TRUE(keeps_its_file(OutputError("a full disk")));
+  EXPECT_TRUE(keeps_its_file(data::OutputError("a full disk")));
   EXPECT_FALSE(keeps_its_file(data::InputError("a map that cannot be")));
 }
 
