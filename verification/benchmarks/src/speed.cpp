@@ -443,7 +443,8 @@ void critical_amplitude(benchmark::State& state, Procedure procedure) {
   for (auto _ : state) {
     if (procedure == Procedure::raised) {
       int runs = 1;
-      while (!solver::first_slip(paper_beam, paper_friction, shaking(35.0, runs * increment), numerics))
+      while (!solver::first_slip(paper_beam, paper_friction, shaking(35.0, runs * increment), numerics, {},
+                                 Coordinates::nodal))
         ++runs;
       found = runs * increment;
     } else {

@@ -117,16 +117,13 @@ CriticalAmplitudeSearch search(const data::Beam& beam, const data::FrictionLaw& 
   result.increment = increment;
   result.cap = cap;
   const double limit = friction_limit(friction, beam);
-  result.linear =
-      increment * limit /
-      solver::max_abs_friction_force(beam, at(increment), numerics, {}, solver::Coordinates::fastest);
+  result.linear = increment * limit / solver::max_abs_friction_force(beam, at(increment), numerics);
   const double multiple = std::floor(result.linear / increment) + 1.0;
   if (multiple <= steps) result.stepped_linear = multiple * increment;
   while (!result.searched && result.runs < steps) {
     ++result.runs;
     const double amplitude = result.runs * increment;
-    if (solver::first_slip(beam, friction, at(amplitude), numerics, {}, solver::Coordinates::fastest))
-      result.searched = amplitude;
+    if (solver::first_slip(beam, friction, at(amplitude), numerics)) result.searched = amplitude;
   }
   return result;
 }

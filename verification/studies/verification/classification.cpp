@@ -70,9 +70,7 @@ ClassificationStudy classification_study(const data::Beam& beam, const data::Fri
           .frequency_hz = hz,
           .amplitude = amplitude,
           .closed_form_slips = amplitude > frequency.critical_amplitude,
-          .finite_element_slips =
-              solver::first_slip(beam, friction, excitation, numerics, {}, solver::Coordinates::fastest)
-                  .has_value(),
+          .finite_element_slips = solver::first_slip(beam, friction, excitation, numerics).has_value(),
           .in_guard_band = std::abs(distance) <= frequency.relative_guard(),
           .distance = distance,
           .relative_guard = frequency.relative_guard()};

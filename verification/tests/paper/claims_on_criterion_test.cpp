@@ -354,8 +354,7 @@ TEST(ClaimOnFigure13, LowRigidityResistsAtNormalisedFrequencyOnly) {
   const studies::SofterBeam same_hz = studies::softer_beam(paper(), 120);
   // |f_max| of finite elements at one frequency in ten: the same beam is the better one.
   const auto force_of_elements = [](const data::Beam& beam, double hz) {
-    return solver::max_abs_friction_force(beam, excitation(hz, amplitude), paper().numerics, {},
-                                          solver::Coordinates::modal);
+    return solver::max_abs_friction_force(beam, excitation(hz, amplitude), paper().numerics);
   };
   int confirmed = 0;
   for (const double hz : frequencies(10.0, 120.0, 10.0)) {

@@ -109,7 +109,8 @@ TEST(ModalStickRun, MaximumIsThatOfItsHistory) {
 
 TEST(ModalStickRun, ReproducesTheForceMaximum) {
   const auto numerics = settings(20, 0.9);
-  const double plain = solver::max_abs_friction_force(paper_beam(), shaking(70.0, 0.5e-3), numerics);
+  const double plain =
+      solver::max_abs_friction_force(paper_beam(), shaking(70.0, 0.5e-3), numerics, {}, Coordinates::nodal);
   const double modal =
       solver::max_abs_friction_force(paper_beam(), shaking(70.0, 0.5e-3), numerics, {}, Coordinates::modal);
   EXPECT_LE(std::abs(modal - plain), 1e-10 * plain);
@@ -225,7 +226,8 @@ TEST(ModalSteps, HaveTheEventsOfTheNodalRun) {
 TEST(ModalSteps, HaveTheFirstSlipOfTheNodalRun) {
   const data::NumericalSettings numerics(paper_choices(1.0));
   for (const auto& [hz, amplitude] : {std::pair{25.0, 1e-3}, {70.0, 0.5e-3}, {35.0, 0.4e-3}}) {
-    const auto nodal = solver::first_slip(paper_beam(), paper_friction(), shaking(hz, amplitude), numerics);
+    const auto nodal = solver::first_slip(paper_beam(), paper_friction(), shaking(hz, amplitude), numerics,
+                                          {}, Coordinates::nodal);
     const auto modal = solver::first_slip(paper_beam(), paper_friction(), shaking(hz, amplitude), numerics,
                                           {}, Coordinates::modal);
     ASSERT_EQ(modal.has_value(), nodal.has_value()) << hz;

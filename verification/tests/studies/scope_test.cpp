@@ -99,8 +99,8 @@ TEST(SlenderForce, NearResonanceIsThatOfAMeshWithShear) {
   sheared.beam = studies::with_shear(sheared.beam);
   data::NumericalChoices choices = sheared.numerics.choices();
   choices.elements = 80;
-  const double finite_element = solver::max_abs_friction_force(
-      sheared.beam, sheared.excitation, data::NumericalSettings(choices), {}, solver::Coordinates::modal);
+  const double finite_element =
+      solver::max_abs_friction_force(sheared.beam, sheared.excitation, data::NumericalSettings(choices));
   const double omega = analytic::modal_forces(sheared.beam, 1).front().angular_frequency;
   const double excitation = studies::angular_frequency(sheared.excitation);
   const double mass = sheared.beam.density() * sheared.beam.area();

@@ -74,8 +74,7 @@ inline double first_force(int elements, solver::InitialVelocity start) {
 
 /// Finite elements with contact.
 inline bool finite_elements_slip(double hz, double amplitude) {
-  return solver::first_slip(paper().beam, paper().friction, excitation(hz, amplitude), paper().numerics, {},
-                            solver::Coordinates::fastest)
+  return solver::first_slip(paper().beam, paper().friction, excitation(hz, amplitude), paper().numerics)
       .has_value();
 }
 

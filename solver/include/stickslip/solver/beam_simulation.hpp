@@ -129,13 +129,13 @@ class BeamSimulation {
                                             const data::HarmonicExcitation& excitation,
                                             const data::NumericalSettings& numerics,
                                             const data::Damping& damping = {},
-                                            Coordinates coordinates = Coordinates::nodal);
+                                            Coordinates coordinates = Coordinates::fastest);
 
 /// The time of the first slip, s, or nothing if the tip stays stuck for numerics.duration().
 [[nodiscard]] std::optional<double> first_slip(const data::Beam& beam, const data::FrictionLaw& friction,
                                                const data::HarmonicExcitation& excitation,
                                                const data::NumericalSettings& numerics,
                                                const data::Damping& damping = {},
-                                               Coordinates coordinates = Coordinates::nodal);
+                                               Coordinates coordinates = Coordinates::fastest);
 
 }  // namespace stickslip::solver
