@@ -22,7 +22,7 @@ namespace stickslip::studies {
 namespace {
 
 // Relative width of the bounds below which an undecided force counts as above the limit.
-constexpr double undecided = 1e-4;
+constexpr double undecided = 1e-6;
 constexpr double spacing = 0.01;  // relative distance of neighbouring values
 // Of the ends of intervals, relative to the upper end of the range.
 constexpr double relative_accuracy = 1e-5;

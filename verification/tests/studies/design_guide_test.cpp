@@ -139,6 +139,20 @@ TEST(DesignScan, FindsTheEndsOfAxialForcesAndTheBucklingLoad) {
   expect_ends_of_the_criterion(problem, scan, 25.0);
 }
 
+// The largest force over the band changes by 3e-4 for each newton of P, so that little of it moves the end far.
+TEST(DesignScan, EndsOfABandAreAsAccurateAsStated) {
+  const data::Case problem = data::load_case("paper");
+  const FrequencyBand band{26.0, 40.0};
+  const auto scan = studies::design_scan(problem, "beam.axial_force", {1600.0, 1800.0}, band);
+  ASSERT_EQ(scan.intervals.size(), 2u);
+  const double end = scan.intervals.back().from;
+  const auto margin = [&](double force) {
+    return studies::band_margin(with_value(problem, "beam.axial_force", force), band, 1e-7).margin;
+  };
+  EXPECT_GE(margin(end).lower, 1.0) << end;
+  EXPECT_LT(margin(end - scan.accuracy).upper, 1.0) << end;
+}
+
 TEST(DesignScan, FindsAResonanceFarNarrowerThanItsSpacing) {
   // At 30 um the tip slips only next to resonance, over less than 1 % of the length.
   const data::Case problem = with_value(flat_case(), "excitation.amplitude", 3e-5);
