@@ -12,6 +12,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "stickslip/data/reference.hpp"
 #include "studies/common/convergence.hpp"
 #include "studies/common/problem_parameter.hpp"
 #include "studies/history/contact_growth.hpp"
@@ -67,6 +68,35 @@ Run run_free_modes(const data::Case& problem, const ConvergedEffort& effort, int
   return run_of(free_mode_history(at, {.with_midspan = effort.with_midspan}, steps_per_sample),
                 {.method = "free modes", .modes = free_modes_for(problem.beam, step), .time_step = step},
                 effort);
+}
+
+struct Runs {
+  std::vector<Run> integrals, modal;  // from the finest to the coarsest step
+};
+
+// Both methods run concurrently.
+Runs runs_of(const data::Case& problem, const ConvergedEffort& effort) {
+  if (is_damped(problem))
+    throw std::invalid_argument(
+        fmt::format("{} has damping, but the study is that of an undamped beam.", problem.name));
+  const auto all = [&](int first, const auto& run) {
+    std::vector<Run> runs;
+    for (int level = 0, steps = first; level < effort.levels && steps >= 1; ++level, steps /= 2)
+      runs.push_back(run(problem, effort, steps));
+    return runs;
+  };
+  auto modal =
+      std::async(std::launch::async, [&] { return all(effort.steps_per_sample / 2, run_free_modes); });
+  std::vector<Run> integrals = all(effort.steps_per_sample, run_boundary_integral);
+  return {std::move(integrals), modal.get()};
+}
+
+void add_levels(Runs runs, ConvergedHistory& history) {
+  for (std::vector<Run>* method : {&runs.integrals, &runs.modal})
+    for (Run& run : *method) {
+      run.level.error = largest_difference(run.tip, history.tip) / history.tip_range;
+      history.levels.push_back(std::move(run.level));
+    }
 }
 
 double range_of(const std::vector<double>& values) {
@@ -160,22 +190,8 @@ History radiating_history(const solver::BeamModel& mesh, const solver::ContactSy
 double ConvergedHistory::largest_half_width() const { return tip_half_width.back() / tip_range; }
 
 ConvergedHistory converged_history(const data::Case& problem, const ConvergedEffort& effort) {
-  if (is_damped(problem))
-    throw std::invalid_argument(
-        fmt::format("{} has damping, but the study is that of an undamped beam.", problem.name));
-  // Both methods run concurrently, each from the finest to the coarsest step.
-  const auto runs_of = [&](int first, const auto& run) {
-    std::vector<Run> runs;
-    for (int level = 0, steps = first; level < effort.levels && steps >= 1; ++level, steps /= 2)
-      runs.push_back(run(problem, effort, steps));
-    return runs;
-  };
-  auto modal =
-      std::async(std::launch::async, [&] { return runs_of(effort.steps_per_sample / 2, run_free_modes); });
-  std::vector<Run> runs = runs_of(effort.steps_per_sample, run_boundary_integral);
-  const std::size_t integrals = runs.size();
-  std::ranges::move(modal.get(), std::back_inserter(runs));
-  const Run &finest = runs.front(), &coarser = runs[1], &other = runs[integrals];
+  Runs runs = runs_of(problem, effort);
+  const Run &finest = runs.integrals.front(), &coarser = runs.integrals[1], &other = runs.modal.front();
 
   ConvergedHistory history;
   history.frequency_hz = problem.excitation.frequency_hz();
@@ -194,12 +210,26 @@ ConvergedHistory converged_history(const data::Case& problem, const ConvergedEff
     if (i == 0 && converged) history.first_stick = *converged;
     if (i > 0 && converged) history.sticks.push_back(*converged);
   }
-  for (Run& run : runs) {
-    run.level.error = largest_difference(run.tip, finest.tip) / history.tip_range;
-    history.levels.push_back(run.level);
-  }
   history.tip = finest.tip;
   history.midspan = finest.midspan;
+  add_levels(std::move(runs), history);
+  return history;
+}
+
+ConvergedHistory published_history(const data::Case& problem, const std::string& data_set,
+                                   ConvergedEffort effort) {
+  const data::ReferenceTable table = data::read_table(data::load_reference(), data_set);
+  ConvergedHistory history;
+  history.frequency_hz = problem.excitation.frequency_hz();
+  history.amplitude = problem.excitation.amplitude();
+  history.time = table.column("time").values;
+  history.tip = table.column("tip_displacement").values;
+  history.tip_half_width = table.radius_of("tip_displacement");
+  history.tip_range = range_of(history.tip);
+  effort.duration = history.time.back();
+  effort.samples = static_cast<int>(history.time.size()) - 1;
+  effort.with_midspan = false;
+  if (effort.levels > 0) add_levels(runs_of(problem, effort), history);
   return history;
 }
 

@@ -64,7 +64,7 @@ struct ConvergedHistory {
   ConvergedStick first_stick;                              ///< from the start to the first slip
   /// Later ones that are at least shortest_stick long and occur in all three runs.
   std::vector<ConvergedStick> sticks;
-  std::vector<HistoryRun> levels;  ///< finest level first, boundary integral before free modes
+  std::vector<HistoryRun> levels;  ///< finest step first, boundary integral before free modes
 
   /// The largest half-width of y(L) as a fraction of its range.
   [[nodiscard]] double largest_half_width() const;
@@ -88,6 +88,12 @@ struct ConvergedEffort {
 /// a case with damping, and what analytic::BeamBoundaryIntegral throws.
 [[nodiscard]] ConvergedHistory converged_history(const data::Case& problem,
                                                  const ConvergedEffort& effort = {});
+
+/// The history that data/reference publishes as `data_set` (undamped-history-25 and its relatives), with its half-widths.
+/// `problem` is its case; `effort` says which levels are computed and compared with it, none with 0 levels. Sticks and
+/// midspan stay empty. Throws what data::read_table() and converged_history() throw.
+[[nodiscard]] ConvergedHistory published_history(const data::Case& problem, const std::string& data_set,
+                                                 ConvergedEffort effort);
 
 /// The rate, 1/s, at which two histories at the same times separate: the slope of the logarithm of the largest
 /// |difference| of y(L) in each whole period (s) from the first event of `a` on, before the first period in which it

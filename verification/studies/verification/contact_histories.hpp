@@ -18,7 +18,7 @@ namespace stickslip::studies {
 struct ContactHistory {
   double frequency_hz{};
   double amplitude{};                         ///< m
-  std::optional<ConvergedHistory> converged;  ///< sampled every 2e-4 s; empty if the criterion predicts stick
+  std::optional<ConvergedHistory> converged;  ///< empty if the criterion predicts stick
   std::optional<double> finite_element_slip;  ///< time of the first slip, s
   std::optional<double> closed_form_slip;     ///< first time at which |f| > μ_s P in the closed form, s
   bool criterion_slips{};                     ///< Eqs. (29), (30) over numerics.duration()
@@ -35,16 +35,18 @@ STICKSLIP_MEMBERS(ContactHistory, (frequency_hz, "Hz"), (amplitude, "m"), (conve
                   (finite_element_slip, "s"), (closed_form_slip, "s"), (criterion_slips, "1"), (figure, "-"),
                   (printed_slips, "1"), (verdicts_agree(), "1"), (first_slip_difference(), "s"))
 
-/// Computes the history of an undamped case over `shown` seconds. The decisions on slip use
-/// numerics.duration().
-[[nodiscard]] ContactHistory contact_history(const data::Case& problem, double shown);
+/// The verdicts on an undamped case over numerics.duration(), and its history: published_history() of the data set if one
+/// is named, else computed over `shown` seconds and sampled every 2e-4 s.
+[[nodiscard]] ContactHistory contact_history(const data::Case& problem, double shown,
+                                             const std::string& data_set = "");
 
-/// The panels of Figs. 4 and 5, in the paper's order, with the case of data/cases/paper.toml.
+/// The panels of Figs. 4 and 5, in the paper's order, with the case of data/cases/paper.toml. Histories that data/reference
+/// publishes, those of Fig. 5, are read there.
 [[nodiscard]] std::vector<ContactHistory> contact_histories(const data::Case& paper, double shown);
 
 /// Runs with usual settings, all with the time step of `numerics` where there is one: the scheme of the
 /// paper; located changes with the spectral radii 0.5, 0.9 and 1; and event-driven runs on
-/// numerics.elements() and on twice as many elements. The excitation is that of the converged history; the
+/// numerics.elements() and on half as many elements. The excitation is that of the converged history; the
 /// problem is undamped.
 [[nodiscard]] std::vector<HistoryRun> usual_practice(data::Case problem, const ConvergedHistory& converged);
 

@@ -10,6 +10,7 @@
 #include "stickslip/analytic/free_mode_run.hpp"
 #include "stickslip/analytic/slip_modes.hpp"
 #include "stickslip/analytic/stick_response.hpp"
+#include "stickslip/data/reference.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "stickslip/solver/energy_balance.hpp"
 #include "stickslip/solver/held_tip_basis.hpp"
@@ -233,6 +234,22 @@ TEST(ConvergedHistory, TakesFreeModesBelowTwentyRadiansAStep) {
 
 TEST(ConvergedHistory, RefusesADampedBeam) {
   EXPECT_THROW((void)studies::converged_history(damped_problem(25.0)), std::invalid_argument);
+}
+
+TEST(ConvergedHistory, ThatIsPublishedIsReadAndMetByRunsOfBothMethods) {
+  const auto history = studies::published_history(paper_problem(35.0, 1e-3), "undamped-history-35",
+                                                  {.steps_per_sample = 16, .levels = 2});
+  const auto table = data::read_table(data::load_reference(), "undamped-history-35");
+  EXPECT_EQ(history.time, table.column("time").values);
+  EXPECT_EQ(history.tip, table.column("tip_displacement").values);
+  EXPECT_EQ(history.tip_half_width, table.radius_of("tip_displacement"));
+  EXPECT_LT(history.largest_half_width(), 5e-3);  // the tolerance of the data set
+  ASSERT_EQ(history.levels.size(), 4u);
+  for (const auto& level : history.levels) {
+    EXPECT_GE(level.time_step, 5e-4 / 16.0);
+    EXPECT_GT(level.changes, 100);
+    EXPECT_LT(level.error, 5e-3);
+  }
 }
 
 // --- From event to event on a mesh, in the modes that it holds

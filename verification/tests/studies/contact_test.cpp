@@ -141,7 +141,7 @@ TEST(PracticeRuns, AreComparedWithTheConvergedHistory) {
   const std::vector<std::tuple<std::string, int, double, double>> settings{
       {"letter of the paper", 20, 1e-4, 0.9}, {"located in the step", 20, 1e-4, 0.5},
       {"located in the step", 20, 1e-4, 0.9}, {"located in the step", 20, 1e-4, 1.0},
-      {"event-driven", 20, 0.0, 0.0},         {"event-driven", 40, 0.0, 0.0}};
+      {"event-driven", 10, 0.0, 0.0},         {"event-driven", 20, 0.0, 0.0}};
   ASSERT_EQ(runs.size(), settings.size());
   for (std::size_t run = 0; run < runs.size(); ++run) {
     EXPECT_EQ(
