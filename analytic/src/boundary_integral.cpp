@@ -34,10 +34,10 @@ class GaussMethod {
 
   /// Σ_i Y(x_i/h)/(x_i² R'(x_i)) over the solutions of R(x) = 1/ζ.
   template <class Function>
-  [[nodiscard]] Complex sum_over_solutions(Complex zeta, const Function& weighted) const {
+  [[nodiscard]] Complex sum_over_solutions(Complex zeta, const Function& weighted) {
+    find_solutions((1.0 - zeta) / (1.0 + zeta));
     Complex sum = 0.0;
-    for (const Complex x : solutions((1.0 - zeta) / (1.0 + zeta)))
-      sum += weighted(x) / (x * x * derivative(x));
+    for (const Complex x : roots_) sum += weighted(x) / (x * x * derivative(x));
     return sum;
   }
 
@@ -56,43 +56,43 @@ class GaussMethod {
     return (plus_rate * minus - plus * minus_rate) / (minus * minus);
   }
 
-  /// The roots of τ E(x) - O(x), τ = (1 - ζ)/(1 + ζ), all at once by the method of Durand and
-  /// Kerner.
-  [[nodiscard]] std::vector<Complex> solutions(Complex tau) const {
+  /// The roots of τ E(x) - O(x), τ = (1 - ζ)/(1 + ζ), all at once by the method of Durand and Kerner, from those of the
+  /// last ζ.
+  void find_solutions(Complex tau) {
     std::array<Complex, most_stages + 1> monic{};
     for (int i = 0; i <= stages_; ++i)
       monic[at(i)] = coefficients_[at(i)] * (i % 2 == 0 ? tau : Complex(-1.0));
     const Complex leading = monic[at(stages_)];
-    double radius = 0.0;
-    for (int i = 0; i <= stages_; ++i) {
-      monic[at(i)] /= leading;
-      if (i < stages_) radius = std::max(radius, std::pow(std::abs(monic[at(i)]), 1.0 / (stages_ - i)));
+    for (int i = 0; i <= stages_; ++i) monic[at(i)] /= leading;
+    if (roots_.empty()) {
+      double radius = 0.0;
+      for (int i = 0; i < stages_; ++i)
+        radius = std::max(radius, std::pow(std::abs(monic[at(i)]), 1.0 / (stages_ - i)));
+      for (int i = 0; i < stages_; ++i)
+        roots_.push_back(std::polar(radius, 0.4 + 2.0 * std::numbers::pi * i / stages_));
     }
-    std::vector<Complex> roots;
-    for (int i = 0; i < stages_; ++i)
-      roots.push_back(std::polar(radius, 0.4 + 2.0 * std::numbers::pi * i / stages_));
     constexpr int most_iterations = 200;
     for (int iteration = 0; iteration < most_iterations; ++iteration) {
       double change = 0.0;
-      for (Complex& root : roots) {
+      for (Complex& root : roots_) {
         Complex value = 0.0, others = 1.0;
         for (int i = stages_; i >= 0; --i) value = value * root + monic[at(i)];
-        for (const Complex& other : roots)
+        for (const Complex& other : roots_)
           if (&other != &root) others *= root - other;
-        root -= value / others;
-        change = std::max(change, std::abs(value / others) / std::abs(root));
+        const Complex step = value / others;
+        root -= step;
+        change = std::max(change, std::norm(step) / std::norm(root));
       }
-      if (change < 16.0 * epsilon) break;
+      if (change < 256.0 * epsilon * epsilon) break;
     }
-    return roots;
   }
 
   int stages_;
   std::array<double, most_stages + 1> coefficients_{};
+  std::vector<Complex> roots_;
 };
 
-Complex discrete_mobility(const GaussMethod& method, const Mobility& mobility, double time_step,
-                          Complex zeta) {
+Complex discrete_mobility(GaussMethod& method, const Mobility& mobility, double time_step, Complex zeta) {
   const Complex factor = (1.0 - zeta) / zeta;
   return factor * factor *
          method.sum_over_solutions(zeta, [&](Complex x) { return mobility(x / time_step); });
@@ -102,14 +102,15 @@ Complex discrete_mobility(const GaussMethod& method, const Mobility& mobility, d
 
 Complex discrete_mobility(const Mobility& mobility, double time_step, int stages, Complex zeta) {
   require_positive("time_step", time_step);
-  return discrete_mobility(GaussMethod(stages), mobility, time_step, zeta);
+  GaussMethod method(stages);
+  return discrete_mobility(method, mobility, time_step, zeta);
 }
 
 std::vector<double> mobility_weights(const Mobility& mobility, double time_step, std::size_t count,
                                      int stages) {
   require_positive("time_step", time_step);
   if (count < 1) throw wrong_argument("count", 0.0, "1 or more");
-  const GaussMethod method(stages);
+  GaussMethod method(stages);
   // On a circle of radius r the weights beyond n come back with r^n, and rounding grows by r^-count: with n
   // at least twice the count both are eps^(2/3) at r^count = eps^(1/3).
   const std::size_t n = std::bit_ceil(2 * count);

@@ -101,6 +101,7 @@ double ContactDynamics::wall_displacement(double t) const {
 }
 
 double ContactDynamics::wall_velocity(double t) const {
+  if (model_.wall_amplitude == 0.0) return model_.wall_speed;
   return model_.wall_amplitude * load_rate(t) + model_.wall_speed;
 }
 

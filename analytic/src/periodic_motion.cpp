@@ -26,10 +26,10 @@ ContactModel unloaded(ContactModel model) {
   return model;
 }
 
-/// The flow with its derivative, phase by phase.
+/// The flow, with its derivative or without, phase by phase.
 class Variation {
  public:
-  Variation(const ContactModel& model, const ContactStart& start)
+  Variation(const ContactModel& model, const ContactStart& start, bool with_derivative)
       : dynamics_(model),
         differences_(unloaded(model)),
         stick_(dynamics_),
@@ -37,9 +37,10 @@ class Variation {
         law_(model.friction.in_slip()),
         modes_(model.modes()),
         n_(2 * (modes_ + 1)),
+        columns_(with_derivative ? n_ : 0),
         x_(flat(start.kinematics)),
-        phi_(n_, n_) {
-    for (std::size_t i = 0; i < n_; ++i) phi_(i, i) = 1.0;
+        phi_(n_, columns_) {
+    for (std::size_t i = 0; i < columns_; ++i) phi_(i, i) = 1.0;
     set_scale();
   }
 
@@ -47,7 +48,7 @@ class Variation {
   void begin_stick() {
     sticks_ = true;
     x_.back() = dynamics_.wall_velocity(time_);
-    for (std::size_t j = 0; j < n_; ++j) phi_(n_ - 1, j) = 0.0;
+    for (std::size_t j = 0; j < columns_; ++j) phi_(n_ - 1, j) = 0.0;
     stick_.begin(time_, copy(view(x_.data(), modes_)));
   }
 
@@ -135,7 +136,7 @@ class Variation {
 
   void advance_stick(double t) {
     x_ = flat(stick_.state(t));
-    for (std::size_t j = 0; j < n_; ++j) {
+    for (std::size_t j = 0; j < columns_; ++j) {
       std::vector<double> column(n_);
       for (std::size_t i = 0; i < n_; ++i) column[i] = phi_(i, j);
       stick_of_differences_.begin(time_, copy(view(column.data(), modes_)));
@@ -153,7 +154,7 @@ class Variation {
   void evaluate(double t, const double* y, double* rate) const {
     std::vector<double> x(n_), modal(modes_);
     double friction_slope = 0.0;
-    for (std::size_t column = 0; column <= n_; ++column) {
+    for (std::size_t column = 0; column <= columns_; ++column) {
       for (std::size_t i = 0; i < n_; ++i) x[i] = scale_[i] * y[column * n_ + i];
       const KinematicsView state = view(x.data(), modes_);
       double acceleration = 0.0;
@@ -174,29 +175,31 @@ class Variation {
 
   void advance_slip(double end) {
     const StatusInsteadOfAbort guard;
-    const std::size_t size = n_ * (n_ + 1);
+    const std::size_t size = n_ * (columns_ + 1);
     std::vector<double> y(size);
     for (std::size_t i = 0; i < n_; ++i) {
       y[i] = x_[i] / scale_[i];
-      for (std::size_t j = 0; j < n_; ++j) y[(j + 1) * n_ + i] = phi_(i, j) * scale_[j] / scale_[i];
+      for (std::size_t j = 0; j < columns_; ++j) y[(j + 1) * n_ + i] = phi_(i, j) * scale_[j] / scale_[i];
     }
     gsl_odeiv2_system system{&Variation::right_side, nullptr, size, this};
-    const double longest = 1.0 / dynamics_.fastest();
-    const auto driver = owned(gsl_odeiv2_driver_alloc_standard_new(&system, gsl_odeiv2_step_rk8pd,
-                                                                   0.05 * longest, 1e-13, 1e-13, 1.0, 0.0));
+    // Of the state, and of a derivative that Newton's method and multipliers of nine digits need.
+    const double tolerance = columns_ == 0 ? 1e-13 : 1e-10;
+    const double longest = (columns_ == 0 ? 1.0 : 3.0) / dynamics_.fastest();
+    const auto driver = owned(gsl_odeiv2_driver_alloc_standard_new(
+        &system, gsl_odeiv2_step_rk8pd, 0.05 * longest, tolerance, tolerance, 1.0, 0.0));
     gsl_odeiv2_driver_set_hmax(driver.get(), longest);
     double t = time_;
     require_success(gsl_odeiv2_driver_apply(driver.get(), &t, end, y.data()), "slip of a periodic motion");
     for (std::size_t i = 0; i < n_; ++i) {
       x_[i] = y[i] * scale_[i];
-      for (std::size_t j = 0; j < n_; ++j) phi_(i, j) = y[(j + 1) * n_ + i] * scale_[i] / scale_[j];
+      for (std::size_t j = 0; j < columns_; ++j) phi_(i, j) = y[(j + 1) * n_ + i] * scale_[i] / scale_[j];
     }
   }
 
   // Φ <- Φ + (after - before) (gradient . Φ)/passage.
   void jump(const std::vector<double>& before, const std::vector<double>& after,
             const std::vector<double>& gradient, double passage) {
-    for (std::size_t j = 0; j < n_; ++j) {
+    for (std::size_t j = 0; j < columns_; ++j) {
       double difference = 0.0;
       for (std::size_t i = 0; i < n_; ++i) difference += gradient[i] * phi_(i, j);
       for (std::size_t i = 0; i < n_; ++i) phi_(i, j) += (after[i] - before[i]) * difference / passage;
@@ -206,13 +209,34 @@ class Variation {
   ContactDynamics dynamics_, differences_;
   StickPropagator stick_, stick_of_differences_;
   data::FrictionLaw law_;
-  std::size_t modes_, n_;
+  std::size_t modes_, n_, columns_;  // columns of Φ that are followed: all or none
   std::vector<double> x_;
   Matrix phi_;
   std::vector<double> scale_;
   double time_{}, direction_{};
   bool sticks_{};
 };
+
+// The flow with its derivative or, more accurately, without.
+PoincareImage image_of(const ContactModel& model, const ContactStart& from, double duration,
+                       bool with_derivative) {
+  EventDriven run(model);
+  start(run, model, from);
+  const data::ContactState phase = run.state();  // slip, if it cannot stick
+  const double direction = run.friction_force() > 0.0 ? -1.0 : 1.0;
+  run.advance_to(duration);
+  std::vector<data::ContactEvent> events = run.events();
+  Variation variation(model, from, with_derivative);
+  if (phase == data::ContactState::stick) {
+    variation.begin_stick();
+  } else {
+    variation.begin_slip(direction);
+    std::erase_if(events, [](const data::ContactEvent& event) { return event.time == 0.0; });
+  }
+  for (const data::ContactEvent& event : events) variation.change(event);
+  variation.advance_to(duration);
+  return {variation.state(), variation.derivative(), variation.rate(), events};
+}
 
 ContactStart state_of(const EventDriven& run) {
   return {{run.amplitudes(), run.rates(), run.contact_displacement(), run.contact_velocity()}, run.state()};
@@ -244,6 +268,9 @@ std::vector<double> units_of(const ContactStart& start, const std::vector<double
   return units;
 }
 
+// Of the run from rest, from which Newton's method starts.
+constexpr EventDrivenSettings settling{.tolerance = 1e-8};
+
 /// Newton's method for x(T) = x(0); with a free period, T is an unknown and the velocity of the contact at the start is
 /// kept.
 class Shooting {
@@ -253,16 +280,21 @@ class Shooting {
 
   [[nodiscard]] std::optional<PeriodicMotion> run() {
     double last = std::numeric_limits<double>::infinity();
+    Matrix derivative;  // kept while each step brings a digit
+    bool is_new = false;
     for (int iteration = 0; iteration < 30; ++iteration) {
-      const PoincareImage image = poincare_map(model_, start_, period_);
+      const PoincareImage image = image_of(model_, start_, period_, false);
       if (image.end.phase != start_.phase) return std::nullopt;
       const double residual = residual_of(image);
-      if (!std::isfinite(residual) || !is_finite(image.derivative)) return std::nullopt;  // a graze
+      if (!std::isfinite(residual)) return std::nullopt;
       // The tolerance of the run, or what its rounding leaves.
-      if (residual < 1e-12 || (residual < 1e-9 && residual >= 0.3 * last))
-        return PeriodicMotion{start_,   period_,  image.events, eigenvalues(image.derivative),
-                              residual, iteration};
-      if (!improve(image)) return std::nullopt;
+      const bool is_found = residual < 1e-12 || (residual < 1e-9 && is_new && residual >= 0.3 * last);
+      is_new = is_found || !(residual < 0.1 * last) || derivative.empty();
+      if (is_new) derivative = image_of(model_, start_, period_, true).derivative;
+      if (!is_finite(derivative)) return std::nullopt;  // a graze
+      if (is_found)
+        return PeriodicMotion{start_, period_, image.events, eigenvalues(derivative), residual, iteration};
+      if (!improve(image, derivative)) return std::nullopt;
       last = residual;
     }
     return std::nullopt;
@@ -278,7 +310,7 @@ class Shooting {
     return largest;
   }
 
-  bool improve(const PoincareImage& image) {
+  bool improve(const PoincareImage& image, const Matrix& derivative) {
     std::vector<double> x = flat(start_.kinematics);
     const std::vector<double> end = flat(image.end.kinematics), units = units_of(start_, image.rate, period_);
     const std::size_t n = x.size(), size = n + (free_period_ ? 1 : 0);
@@ -286,7 +318,7 @@ class Shooting {
     std::vector<double> change(size);
     for (std::size_t i = 0; i < n; ++i) {
       for (std::size_t j = 0; j < n; ++j)
-        jacobian(i, j) = (image.derivative(i, j) - (i == j ? 1.0 : 0.0)) * units[j] / units[i];
+        jacobian(i, j) = (derivative(i, j) - (i == j ? 1.0 : 0.0)) * units[j] / units[i];
       change[i] = (x[i] - end[i]) / units[i];
       if (free_period_) jacobian(i, n) = image.rate[i] * period_ / units[i];
     }
@@ -316,22 +348,9 @@ void start(EventDriven& run, const ContactModel& model, const ContactStart& from
 }
 
 PoincareImage poincare_map(const ContactModel& model, const ContactStart& from, double duration) {
-  EventDriven run(model);
-  start(run, model, from);
-  const data::ContactState phase = run.state();  // slip, if it cannot stick
-  const double direction = run.friction_force() > 0.0 ? -1.0 : 1.0;
-  run.advance_to(duration);
-  std::vector<data::ContactEvent> events = run.events();
-  Variation variation(model, from);
-  if (phase == data::ContactState::stick) {
-    variation.begin_stick();
-  } else {
-    variation.begin_slip(direction);
-    std::erase_if(events, [](const data::ContactEvent& event) { return event.time == 0.0; });
-  }
-  for (const data::ContactEvent& event : events) variation.change(event);
-  variation.advance_to(duration);
-  return {variation.state(), variation.derivative(), variation.rate(), events};
+  PoincareImage image = image_of(model, from, duration, false);
+  image.derivative = image_of(model, from, duration, true).derivative;
+  return image;
 }
 
 std::vector<std::complex<double>> eigenvalues(const Matrix& matrix) {
@@ -354,7 +373,7 @@ std::vector<std::complex<double>> eigenvalues(const Matrix& matrix) {
 PeriodicSearch forced_motion(const ContactModel& model, int periods, int settle) {
   if (periods < 1) throw data::FieldError("periods", periods, "1 or more");
   const double period = 2.0 * std::numbers::pi / model.load_angular_frequency;
-  EventDriven run(model);
+  EventDriven run(model, settling);
   run.start_stuck({}, {});
   run.advance_to(settle * period);
   const std::size_t events = run.events().size();
@@ -369,7 +388,7 @@ PeriodicSearch self_excited_motion(const ContactModel& model, double settle, dou
   if (model.wall_speed == 0.0) throw wrong_argument("wall_speed", 0.0, "other than 0 (m/s)");
   if (model.wall_amplitude != 0.0 || std::ranges::any_of(model.load, [](double load) { return load != 0.0; }))
     throw wrong_argument("load", model.wall_amplitude, "0: a forced motion has the period of its load");
-  EventDriven run(model);
+  EventDriven run(model, settling);
   run.start_stuck({}, {});
   run.advance_to(settle);
   constexpr std::size_t most_cycles = 12;

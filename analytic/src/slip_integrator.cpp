@@ -60,7 +60,8 @@ SlipIntegrator::SlipIntegrator(const ContactDynamics& dynamics, double tolerance
       error_(equations_),
       jerk_(size_) {
   const double omega = dynamics.model().load_angular_frequency;
-  longest_step_ = 1.0 / dynamics.fastest();
+  // The eighth power of a step is in its error.
+  longest_step_ = std::clamp(std::pow(tolerance / 1e-12, 0.125), 1.0, 3.0) / dynamics.fastest();
   shortest_step_ = 1e-6 * longest_step_;
   const std::vector<double> at_rest(dimension_);
   accelerate(at_rest.data(), 0.0, 1.0, jerk_);

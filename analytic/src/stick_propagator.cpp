@@ -72,6 +72,7 @@ void StickPropagator::set_forcing() {
   const std::size_t m = dynamics_.modes(), count = eigenvalue_.size();
   const std::vector<double> row = dynamics_.held_force_row();
   force_harmonic_ = dynamics_.held_force();
+  least_bend_ = omega_ * omega_ * std::hypot(force_harmonic_.sine, force_harmonic_.cosine);
   for (std::size_t k = 0; k < count; ++k) {
     Complex sine, cosine, constant, weight;
     for (std::size_t n = 0; n < m; ++n) {
@@ -82,6 +83,11 @@ void StickPropagator::set_forcing() {
       weight += row[n] / dynamics_.model().angular_frequency[n] * shape_[n * count + k] +
                 row[m + n] * shape_[(m + n) * count + k];
     }
+    const double rate = std::abs(eigenvalue_[k]), size = std::abs(weight), push = std::abs(constant);
+    const double load_size = std::abs(sine) + std::abs(cosine);
+    bend_.push_back(size * rate * rate);
+    least_bend_ += size * ((rate + omega_) * load_size + rate * push);
+    bend_growth_ += bend_.back() * (load_size + push);
     sine_.push_back(sine);
     cosine_.push_back(cosine);
     constant_.push_back(constant);
@@ -111,11 +117,11 @@ std::vector<StickPropagator::Share> StickPropagator::force_shares() const {
 StickPropagator::Complex StickPropagator::coordinate(std::size_t k, double t) const {
   const Complex i(0.0, 1.0), lambda = eigenvalue_[k];
   const double tau = t - begin_;
+  Complex free = std::exp(lambda * tau) * initial_[k];
+  if (constant_[k] != 0.0) free += constant_[k] * exponential_difference(0.0, lambda, tau);
+  if (sine_[k] == 0.0 && cosine_[k] == 0.0) return free;
   const Complex turn = std::polar(1.0, omega_ * begin_);
-  const Complex by_the_speed =
-      constant_[k] == 0.0 ? 0.0 : constant_[k] * exponential_difference(0.0, lambda, tau);
-  return by_the_speed + std::exp(lambda * tau) * initial_[k] +
-         0.5 * (cosine_[k] - i * sine_[k]) * turn * exponential_difference(i * omega_, lambda, tau) +
+  return free + 0.5 * (cosine_[k] - i * sine_[k]) * turn * exponential_difference(i * omega_, lambda, tau) +
          0.5 * (cosine_[k] + i * sine_[k]) * std::conj(turn) *
              exponential_difference(-i * omega_, lambda, tau);
 }
@@ -157,14 +163,8 @@ double StickPropagator::force_rate(double t) const {
 
 // z_tt = λ² z + λ F + F_t, and |z| grows by less than |F| times the length.
 double StickPropagator::curvature_bound(double t, double length) const {
-  double bound = omega_ * omega_ * std::hypot(force_harmonic_.sine, force_harmonic_.cosine);
-  for (std::size_t k = 0; k < eigenvalue_.size(); ++k) {
-    const double rate = std::abs(eigenvalue_[k]);
-    const double load = std::abs(sine_[k]) + std::abs(cosine_[k]);
-    const double reach = std::abs(coordinate(k, t)) + length * (load + std::abs(constant_[k]));
-    bound += std::abs(force_weight_[k]) *
-             (rate * rate * reach + (rate + omega_) * load + rate * std::abs(constant_[k]));
-  }
+  double bound = least_bend_ + length * bend_growth_;
+  for (std::size_t k = 0; k < eigenvalue_.size(); ++k) bound += bend_[k] * std::abs(coordinate(k, t));
   return bound;
 }
 

@@ -2,8 +2,10 @@
 #include "studies/analyses/squeal.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
 
 #include "stickslip/analytic/slip_modes.hpp"
@@ -140,26 +142,33 @@ std::vector<SquealGrowth> squeal_map(const data::Case& problem, const std::vecto
 
 namespace {
 
-// The largest value of a quantity in a period: of samples, then twice of samples next to the largest one, which leaves
+using Quantity = double (*)(const analytic::EventDriven&);
+
+// The largest values of quantities in a period: of samples, then twice of samples next to each largest one, which leaves
 // (3e-4)² of its curvature.
-template <class Quantity>
-double largest(const analytic::ContactModel& model, const analytic::PeriodicMotion& motion,
-               const Quantity& quantity) {
-  double from = 0.0, to = motion.period, value = -std::numeric_limits<double>::infinity();
+std::array<double, 3> largest(const analytic::ContactModel& model, const analytic::PeriodicMotion& motion,
+                              const std::array<Quantity, 3>& quantities) {
+  std::array<double, 3> from{}, to{}, at{}, values{};
+  to.fill(motion.period);
+  values.fill(-std::numeric_limits<double>::infinity());
   for (const int samples : {1000, 60, 60}) {
+    std::multimap<double, std::size_t> times;  // with the quantity
+    for (std::size_t k = 0; k < quantities.size(); ++k)
+      for (int i = 0; i <= samples; ++i)
+        times.emplace(std::lerp(from[k], to[k], static_cast<double>(i) / samples), k);
     analytic::EventDriven run(model);
     analytic::start(run, model, motion.start);
-    double at = from;
-    for (int i = 0; i <= samples; ++i) {
-      const double time = std::lerp(from, to, static_cast<double>(i) / samples);
+    for (const auto& [time, k] : times) {
       run.advance_to(time);
-      if (const double now = quantity(run); now > value) value = now, at = time;
+      if (const double now = quantities[k](run); now > values[k]) values[k] = now, at[k] = time;
     }
-    const double step = (to - from) / samples;
-    from = std::max(0.0, at - step);
-    to = std::min(motion.period, at + step);
+    for (std::size_t k = 0; k < quantities.size(); ++k) {
+      const double step = (to[k] - from[k]) / samples;
+      from[k] = std::max(0.0, at[k] - step);
+      to[k] = std::min(motion.period, at[k] + step);
+    }
   }
-  return value;
+  return values;
 }
 
 double stick_share_of(const analytic::PeriodicMotion& motion) {
@@ -175,11 +184,15 @@ double stick_share_of(const analytic::PeriodicMotion& motion) {
 
 // What a reader asks of one period.
 void measure(const analytic::ContactModel& model, const analytic::PeriodicMotion& motion, Cycle& cycle) {
-  const auto tip = [](const auto& run) { return run.contact_displacement() - run.drive_displacement(); };
-  cycle.peak_to_peak =
-      largest(model, motion, tip) + largest(model, motion, [&](const auto& run) { return -tip(run); });
-  cycle.largest_sliding =
-      largest(model, motion, [](const auto& run) { return std::abs(run.sliding_velocity()); });
+  constexpr Quantity tip = [](const analytic::EventDriven& run) {
+    return run.contact_displacement() - run.drive_displacement();
+  };
+  const auto [highest, deepest, fastest] =
+      largest(model, motion,
+              {tip, [](const auto& run) { return -tip(run); },
+               [](const auto& run) { return std::abs(run.sliding_velocity()); }});
+  cycle.peak_to_peak = highest + deepest;
+  cycle.largest_sliding = fastest;
   cycle.stick_share = stick_share_of(motion);
 }
 

@@ -61,6 +61,8 @@ class StickPropagator {
   std::vector<Complex> inverse_;                   // z = W y, eigenvalue_.size() rows of 2 m
   std::vector<Complex> sine_, cosine_, constant_;  // F_k = sine sin(Ω t) + cosine cos(Ω t) + constant
   std::vector<Complex> force_weight_;              // f_d = Re sum weight z + ...
+  std::vector<double> bend_;                       // of |z_k| in curvature_bound()
+  double least_bend_{}, bend_growth_{};            // its part without z, and what a length adds
   Harmonic force_harmonic_;
 
   double begin_{};
