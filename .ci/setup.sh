@@ -35,6 +35,14 @@ fail() {
 # say TEXT...: what is being done now, with the time.
 say() { echo "[$(date +%H:%M:%S)] $*"; }
 
+# compile ARGUMENT...: builds in Release, with the count of steps and the seconds on a terminal; in a pipe it tells warnings and errors only.
+compile() {
+  local quiet=()
+  [[ -t 1 ]] || quiet=(-- --quiet)
+  cmake --preset release
+  NINJA_STATUS='[%f of %t, %e s] ' cmake --build --preset release "$@" "${quiet[@]}"
+}
+
 is_installed() {
   [[ "$(dpkg-query --show --showformat='${db:Status-Status}' "$1" 2>/dev/null)" == installed ]]
 }
