@@ -25,6 +25,9 @@ import stickslip  # noqa: E402
 from stickslip.__main__ import main  # noqa: E402
 
 PROGRAM = pathlib.Path(sys.argv.pop(1)).resolve()
+# How a file is written is read by the same code for all data sets: these are tried once for each kind of comparison.
+FORMATS = ("without names", "without names, given", "names in a comment", "two columns alone", "single precision", "some rows, as meant",
+           "some rows, more meant")
 STATUS = {"agrees": 0, "differs": 1, "refused": 2, "undecided": 3}
 
 
@@ -125,12 +128,15 @@ class BothJudges(unittest.TestCase):
         return results
 
     def test_say_the_same_of_every_file(self):
-        counts = collections.Counter()
+        counts, tried = collections.Counter(), set()
         for name in stickslip.names():
             table = stickslip.load(name)
             if not table.comparison:
                 continue
             for mistake, text, options in copies(table):
+                if mistake in FORMATS and (mistake, table.comparison["kind"]) in tried:
+                    continue
+                tried.add((mistake, table.comparison["kind"]))
                 with self.subTest(data_set=name, mistake=mistake):
                     program, python = self.verdicts(name, text, options)
                     counts[python[1]] += 1
