@@ -3,6 +3,7 @@
 
 /// The command line, run as a program. STICKSLIP_PROGRAM is its path.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -49,7 +50,7 @@ class CommandLine : public ::testing::Test {
 
   /// Runs `stickslip <arguments>` through the shell.
   [[nodiscard]] Outcome run(const std::string& arguments) const {
-    return shell(std::string("'") + STICKSLIP_PROGRAM + "' " + arguments);
+    return shell(fmt::format("'{}' {}", STICKSLIP_PROGRAM, arguments));
   }
 
   /// Runs any command through the shell.
