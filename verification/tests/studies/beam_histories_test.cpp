@@ -238,15 +238,16 @@ TEST(ConvergedHistory, RefusesADampedBeam) {
 
 TEST(ConvergedHistory, ThatIsPublishedIsReadAndMetByRunsOfBothMethods) {
   const auto history = studies::published_history(paper_problem(35.0, 1e-3), "undamped-history-35",
-                                                  {.steps_per_sample = 16, .levels = 2});
+                                                  {.steps_per_sample = 64, .levels = 2});
   const auto table = data::read_table(data::load_reference(), "undamped-history-35");
   EXPECT_EQ(history.time, table.column("time").values);
   EXPECT_EQ(history.tip, table.column("tip_displacement").values);
   EXPECT_EQ(history.tip_half_width, table.radius_of("tip_displacement"));
   EXPECT_LT(history.largest_half_width(), 5e-3);  // the tolerance of the data set
   ASSERT_EQ(history.levels.size(), 4u);
+  // The error falls with the step: 7e-3 at 16 steps a sample, 7e-4 at 64.
   for (const auto& level : history.levels) {
-    EXPECT_GE(level.time_step, 5e-4 / 16.0);
+    EXPECT_GE(level.time_step, 5e-4 / 64.0);
     EXPECT_GT(level.changes, 100);
     EXPECT_LT(level.error, 5e-3);
   }

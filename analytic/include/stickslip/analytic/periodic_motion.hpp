@@ -45,7 +45,7 @@ struct PoincareImage {
 };
 
 /// In stick the velocity of the contact is no coordinate: its row and column of Φ are zero. Accuracy: 1e-12 a step, as
-/// EventDriven. Throws what EventDriven throws.
+/// EventDriven; of Φ, 1e-10 a step. Throws what EventDriven throws.
 [[nodiscard]] PoincareImage poincare_map(const ContactModel& model, const ContactStart& start,
                                          double duration);
 
