@@ -144,7 +144,8 @@ TEST(CriterionMap, OfADampedBeamHoldsTheDampedForceOfEachCell) {
                                                  studies::angular_frequency(point.excitation), 1.0)
                                .refined_to()
                                .midpoint();
-      EXPECT_TRUE(within(*cell.force_ratio, force / 300.0, reference(2e-10 * force, "width of the bounds")));
+      EXPECT_TRUE(
+          within(*cell.force_ratio, force / 300.0, reference(2e-10 * force / 300.0, "width of the bounds")));
     }
   }
 }
