@@ -26,10 +26,13 @@ ContactModel unloaded(ContactModel model) {
   return model;
 }
 
+// Errors of a step: of a state, and of a derivative for Newton's method and multipliers of nine digits.
+constexpr double tolerance_of_state = 1e-13, tolerance_of_derivative = 1e-10;
+
 /// The flow, with its derivative or without, phase by phase.
 class Variation {
  public:
-  Variation(const ContactModel& model, const ContactStart& start, bool with_derivative)
+  Variation(const ContactModel& model, const ContactStart& start, bool with_derivative, double tolerance)
       : dynamics_(model),
         differences_(unloaded(model)),
         stick_(dynamics_),
@@ -38,6 +41,7 @@ class Variation {
         modes_(model.modes()),
         n_(2 * (modes_ + 1)),
         columns_(with_derivative ? n_ : 0),
+        tolerance_(tolerance),
         x_(flat(start.kinematics)),
         phi_(n_, columns_) {
     for (std::size_t i = 0; i < columns_; ++i) phi_(i, i) = 1.0;
@@ -182,11 +186,9 @@ class Variation {
       for (std::size_t j = 0; j < columns_; ++j) y[(j + 1) * n_ + i] = phi_(i, j) * scale_[j] / scale_[i];
     }
     gsl_odeiv2_system system{&Variation::right_side, nullptr, size, this};
-    // Of the state, and of a derivative that Newton's method and multipliers of nine digits need.
-    const double tolerance = columns_ == 0 ? 1e-13 : 1e-10;
-    const double longest = (columns_ == 0 ? 1.0 : 3.0) / dynamics_.fastest();
+    const double longest = (tolerance_ == tolerance_of_state ? 1.0 : 3.0) / dynamics_.fastest();
     const auto driver = owned(gsl_odeiv2_driver_alloc_standard_new(
-        &system, gsl_odeiv2_step_rk8pd, 0.05 * longest, tolerance, tolerance, 1.0, 0.0));
+        &system, gsl_odeiv2_step_rk8pd, 0.05 * longest, tolerance_, tolerance_, 1.0, 0.0));
     gsl_odeiv2_driver_set_hmax(driver.get(), longest);
     double t = time_;
     require_success(gsl_odeiv2_driver_apply(driver.get(), &t, end, y.data()), "slip of a periodic motion");
@@ -210,6 +212,7 @@ class Variation {
   StickPropagator stick_, stick_of_differences_;
   data::FrictionLaw law_;
   std::size_t modes_, n_, columns_;  // columns of Φ that are followed: all or none
+  double tolerance_;
   std::vector<double> x_;
   Matrix phi_;
   std::vector<double> scale_;
@@ -217,16 +220,15 @@ class Variation {
   bool sticks_{};
 };
 
-// The flow with its derivative or, more accurately, without.
 PoincareImage image_of(const ContactModel& model, const ContactStart& from, double duration,
-                       bool with_derivative) {
+                       bool with_derivative, double tolerance) {
   EventDriven run(model);
   start(run, model, from);
   const data::ContactState phase = run.state();  // slip, if it cannot stick
   const double direction = run.friction_force() > 0.0 ? -1.0 : 1.0;
   run.advance_to(duration);
   std::vector<data::ContactEvent> events = run.events();
-  Variation variation(model, from, with_derivative);
+  Variation variation(model, from, with_derivative, tolerance);
   if (phase == data::ContactState::stick) {
     variation.begin_stick();
   } else {
@@ -283,14 +285,14 @@ class Shooting {
     Matrix derivative;  // kept while each step brings a digit
     bool is_new = false;
     for (int iteration = 0; iteration < 30; ++iteration) {
-      const PoincareImage image = image_of(model_, start_, period_, false);
+      const PoincareImage image = image_of(model_, start_, period_, false, tolerance_of_state);
       if (image.end.phase != start_.phase) return std::nullopt;
       const double residual = residual_of(image);
       if (!std::isfinite(residual)) return std::nullopt;
       // The tolerance of the run, or what its rounding leaves.
       const bool is_found = residual < 1e-12 || (residual < 1e-9 && is_new && residual >= 0.3 * last);
       is_new = is_found || !(residual < 0.1 * last) || derivative.empty();
-      if (is_new) derivative = image_of(model_, start_, period_, true).derivative;
+      if (is_new) derivative = image_of(model_, start_, period_, true, tolerance_of_derivative).derivative;
       if (!is_finite(derivative)) return std::nullopt;  // a graze
       if (is_found)
         return PeriodicMotion{start_, period_, image.events, eigenvalues(derivative), residual, iteration};
@@ -348,9 +350,7 @@ void start(EventDriven& run, const ContactModel& model, const ContactStart& from
 }
 
 PoincareImage poincare_map(const ContactModel& model, const ContactStart& from, double duration) {
-  PoincareImage image = image_of(model, from, duration, false);
-  image.derivative = image_of(model, from, duration, true).derivative;
-  return image;
+  return image_of(model, from, duration, true, tolerance_of_state);
 }
 
 std::vector<std::complex<double>> eigenvalues(const Matrix& matrix) {

@@ -125,7 +125,7 @@ TEST(PeriodicMotion, SteadySlidingHasTheLinearMultipliers) {
   const auto image = analytic::poincare_map(model, start, duration);
   expect_multipliers(analytic::eigenvalues(image.derivative),
                      {std::exp(root * duration), std::exp(std::conj(root) * duration)},
-                     discretisation(1e-9, 1.0, "1e-10 a step, ten steps"));
+                     discretisation(1e-11, 1.0, "1e-13 a step"));
 }
 
 // Den Hartog (1931): a mass between two stops of velocity, m = k = 1, force F sin(beta t), friction f, no halt. With

@@ -45,7 +45,7 @@ struct PoincareImage {
 };
 
 /// In stick the velocity of the contact is no coordinate: its row and column of Φ are zero. Accuracy: 1e-12 a step, as
-/// EventDriven; of Φ, 1e-10 a step. Throws what EventDriven throws.
+/// EventDriven. Throws what EventDriven throws.
 [[nodiscard]] PoincareImage poincare_map(const ContactModel& model, const ContactStart& start,
                                          double duration);
 
@@ -57,7 +57,7 @@ struct PeriodicMotion {
   ContactStart start;
   double period{};                                ///< s
   std::vector<data::ContactEvent> events;         ///< of one period
-  std::vector<std::complex<double>> multipliers;  ///< n, by falling modulus
+  std::vector<std::complex<double>> multipliers;  ///< n, by falling modulus; from a Φ of 1e-10 a step
   double residual{};                              ///< of x(period) = x(0), relative to the motion
   int iterations{};                               ///< of Newton's method
 };
