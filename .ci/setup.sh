@@ -39,7 +39,6 @@ say() { echo "[$(date +%H:%M:%S)] $*"; }
 compile() {
   local quiet=()
   [[ -t 1 ]] || quiet=(-- --quiet)
-  cmake --preset release
   NINJA_STATUS='[%f of %t, %e s] ' cmake --build --preset release "$@" "${quiet[@]}"
 }
 
