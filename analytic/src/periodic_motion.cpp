@@ -220,24 +220,34 @@ class Variation {
   bool sticks_{};
 };
 
-PoincareImage image_of(const ContactModel& model, const ContactStart& from, double duration,
-                       bool with_derivative, double tolerance) {
+// The phases of the flow over a time.
+struct Phases {
+  data::ContactState first;                ///< slip, if it cannot stick
+  double direction;                        ///< of the first, if that is slip
+  std::vector<data::ContactEvent> events;  ///< after the start
+};
+
+Phases phases_of(const ContactModel& model, const ContactStart& from, double duration) {
   EventDriven run(model);
   start(run, model, from);
-  const data::ContactState phase = run.state();  // slip, if it cannot stick
-  const double direction = run.friction_force() > 0.0 ? -1.0 : 1.0;
+  Phases phases{run.state(), run.friction_force() > 0.0 ? -1.0 : 1.0, {}};
   run.advance_to(duration);
-  std::vector<data::ContactEvent> events = run.events();
+  phases.events = run.events();
+  if (phases.first == data::ContactState::slip)
+    std::erase_if(phases.events, [](const data::ContactEvent& event) { return event.time == 0.0; });
+  return phases;
+}
+
+PoincareImage image_of(const ContactModel& model, const ContactStart& from, double duration,
+                       const Phases& phases, bool with_derivative, double tolerance) {
   Variation variation(model, from, with_derivative, tolerance);
-  if (phase == data::ContactState::stick) {
+  if (phases.first == data::ContactState::stick)
     variation.begin_stick();
-  } else {
-    variation.begin_slip(direction);
-    std::erase_if(events, [](const data::ContactEvent& event) { return event.time == 0.0; });
-  }
-  for (const data::ContactEvent& event : events) variation.change(event);
+  else
+    variation.begin_slip(phases.direction);
+  for (const data::ContactEvent& event : phases.events) variation.change(event);
   variation.advance_to(duration);
-  return {variation.state(), variation.derivative(), variation.rate(), events};
+  return {variation.state(), variation.derivative(), variation.rate(), phases.events};
 }
 
 ContactStart state_of(const EventDriven& run) {
@@ -285,14 +295,16 @@ class Shooting {
     Matrix derivative;  // kept while each step brings a digit
     bool is_new = false;
     for (int iteration = 0; iteration < 30; ++iteration) {
-      const PoincareImage image = image_of(model_, start_, period_, false, tolerance_of_state);
+      const Phases phases = phases_of(model_, start_, period_);
+      const PoincareImage image = image_of(model_, start_, period_, phases, false, tolerance_of_state);
       if (image.end.phase != start_.phase) return std::nullopt;
       const double residual = residual_of(image);
       if (!std::isfinite(residual)) return std::nullopt;
       // The tolerance of the run, or what its rounding leaves.
       const bool is_found = residual < 1e-12 || (residual < 1e-9 && is_new && residual >= 0.3 * last);
       is_new = is_found || !(residual < 0.1 * last) || derivative.empty();
-      if (is_new) derivative = image_of(model_, start_, period_, true, tolerance_of_derivative).derivative;
+      if (is_new)
+        derivative = image_of(model_, start_, period_, phases, true, tolerance_of_derivative).derivative;
       if (!is_finite(derivative)) return std::nullopt;  // a graze
       if (is_found)
         return PeriodicMotion{start_, period_, image.events, eigenvalues(derivative), residual, iteration};
@@ -350,7 +362,7 @@ void start(EventDriven& run, const ContactModel& model, const ContactStart& from
 }
 
 PoincareImage poincare_map(const ContactModel& model, const ContactStart& from, double duration) {
-  return image_of(model, from, duration, true, tolerance_of_state);
+  return image_of(model, from, duration, phases_of(model, from, duration), true, tolerance_of_state);
 }
 
 std::vector<std::complex<double>> eigenvalues(const Matrix& matrix) {
