@@ -2,11 +2,10 @@
 /// Verdicts of a comparison at the edges: an error equal to what is allowed, an uncertainty equal to the
 /// tolerance, a time equal to the horizon or to that of an event.
 
-#include <unistd.h>
-
 #include "comparison/groups.hpp"
 #include "own_copy.hpp"
 #include "stickslip/data/input_text.hpp"
+#include "support/input_folder.hpp"
 #include "support/testing.hpp"
 
 namespace stickslip::testing {
@@ -102,15 +101,14 @@ TEST(ComparedVerdict, AQuantityOfWhichNothingIsComparedIsUndecided) {
 // A package in which a table has another text at one place.
 class ComparedPackage : public ::testing::Test {
  protected:
-  void SetUp() override { fs::copy(small_package().folder, folder_, fs::copy_options::recursive); }
-  void TearDown() override { fs::remove_all(folder_); }
+  void SetUp() override { fs::copy(small_package().folder, folder_.path(), fs::copy_options::recursive); }
 
   [[nodiscard]] data::ReferencePackage with(const std::string& file, const std::string& was,
                                             const std::string& is) const {
     const auto replace = [](std::string& text, const std::string& from, const std::string& to) {
       text.replace(text.find(from), from.size(), to);
     };
-    const fs::path table = folder_ / file, description = folder_ / "datapackage.json";
+    const fs::path table = folder_.path() / file, description = folder_.path() / "datapackage.json";
     constexpr std::size_t most = 1 << 20;
     std::string rows = data::read_bounded(table, most), package = data::read_bounded(description, most);
     const std::string size = std::to_string(rows.size()), digest = data::sha256(rows);
@@ -119,11 +117,11 @@ class ComparedPackage : public ::testing::Test {
     replace(package, digest, data::sha256(rows));
     std::ofstream(table) << rows;
     std::ofstream(description) << package;
-    return data::load_reference(folder_);
+    return data::load_reference(folder_.path());
   }
 
  private:
-  fs::path folder_ = fs::temp_directory_path() / ("stickslip-edges-" + std::to_string(::getpid()));
+  TemporaryFolder folder_;
 };
 
 STICKSLIP_VERIFIES(ComparedPackage, "X20");

@@ -2,13 +2,12 @@
 /// Files of the report appear whole or not at all, and what is asked for is known before anything is
 /// computed.
 
-#include <unistd.h>
-
 #include "render/drawing.hpp"
 #include "render/output_folder.hpp"
 #include "render/report.hpp"
 #include "stickslip/data/atomic_file.hpp"
 #include "stickslip/data/case_file.hpp"
+#include "support/input_folder.hpp"
 #include "support/testing.hpp"
 
 namespace stickslip {
@@ -18,11 +17,8 @@ namespace fs = std::filesystem;
 
 class ReportOutput : public ::testing::Test {
  protected:
-  void SetUp() override { fs::remove_all(folder_); }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  const fs::path folder_ =
-      fs::temp_directory_path() / ("stickslip-report-output-" + std::to_string(::getpid()));
+  const testing::TemporaryFolder temporary_;
+  const fs::path folder_ = temporary_.path() / "output";
 };
 
 STICKSLIP_VERIFIES(ReportOutput, "U3");

@@ -2,7 +2,6 @@
 /// The templates of the report: what is filled in, and what is refused.
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -19,6 +18,7 @@
 #include "stickslip/data/atomic_file.hpp"
 #include "stickslip/data/input_error.hpp"
 #include "support/error_message.hpp"
+#include "support/input_folder.hpp"
 #include "support/requirements.hpp"
 
 namespace stickslip {
@@ -31,7 +31,6 @@ using nlohmann::json;
 class ReportTemplates : public ::testing::Test {
  protected:
   void SetUp() override {
-    fs::remove_all(folder_);
     fs::create_directories(values());
     fs::create_directories(templates_ / "figures");
     fs::create_directories(templates_ / "report");
@@ -52,10 +51,7 @@ class ReportTemplates : public ::testing::Test {
     fs::create_directories(folder_ / "verification" / "peers");
     data::write_text(folder_ / "verification" / "peers" / "scoreboard.csv", "code,verdict\n");
   }
-  void TearDown() override {
-    ::unsetenv("STICKSLIP_REPORTS");
-    fs::remove_all(folder_);
-  }
+  void TearDown() override { ::unsetenv("STICKSLIP_REPORTS"); }
 
   [[nodiscard]] fs::path values() const { return folder_ / "values"; }
 
@@ -70,7 +66,8 @@ class ReportTemplates : public ::testing::Test {
     return testing::error_message_of<std::runtime_error>([&] { (void)filled_in(text); });
   }
 
-  const fs::path folder_ = fs::temp_directory_path() / ("stickslip-templates-" + std::to_string(::getpid()));
+  const testing::TemporaryFolder temporary_;
+  const fs::path folder_ = temporary_.path();
   const fs::path templates_ = folder_ / "templates";
 };
 

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -16,6 +15,8 @@
 #include <sstream>
 #include <string>
 #include <vector>
+
+#include "support/input_folder.hpp"
 
 namespace stickslip::testing {
 
@@ -39,14 +40,8 @@ inline ::testing::AssertionResult holds(const std::string& text, const std::stri
 /// Each test works in an empty folder of its own, so that a file needs no path.
 class CommandLine : public ::testing::Test {
  protected:
-  void SetUp() override {
-    std::filesystem::create_directory(folder_);
-    std::filesystem::current_path(folder_);
-  }
-  void TearDown() override {
-    std::filesystem::current_path(old_folder_);
-    std::filesystem::remove_all(folder_);
-  }
+  void SetUp() override { std::filesystem::current_path(folder_.path()); }
+  void TearDown() override { std::filesystem::current_path(old_folder_); }
 
   /// Runs `stickslip <arguments>` through the shell.
   [[nodiscard]] Outcome run(const std::string& arguments) const {
@@ -67,11 +62,11 @@ class CommandLine : public ::testing::Test {
   }
 
   /// With the folder, for what works elsewhere.
-  [[nodiscard]] std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  [[nodiscard]] std::string path(const std::string& name) const { return (folder_.path() / name).string(); }
 
   [[nodiscard]] std::vector<std::string> files() const {
     std::vector<std::string> names;
-    for (const auto& file : std::filesystem::directory_iterator(folder_))
+    for (const auto& file : std::filesystem::directory_iterator(folder_.path()))
       names.push_back(file.path().filename());
     return names;
   }
@@ -87,8 +82,7 @@ class CommandLine : public ::testing::Test {
 
  private:
   const std::filesystem::path old_folder_ = std::filesystem::current_path();
-  const std::filesystem::path folder_ =
-      std::filesystem::temp_directory_path() / ("stickslip-command-line-" + std::to_string(::getpid()));
+  const TemporaryFolder folder_;
 };
 
 inline std::vector<std::vector<std::string>> csv(const std::string& text) {
