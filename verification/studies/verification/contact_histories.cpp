@@ -48,9 +48,9 @@ struct SampledHistory {
 SampledHistory bonded_history(const data::Beam& beam, const data::HarmonicExcitation& excitation,
                               const data::NumericalSettings& numerics, long stride) {
   const data::FrictionLaw unused({});
-  solver::BeamSimulation simulation(beam, unused, excitation, numerics,
-                                    {.contact = solver::TipContact::bonded,
-                                     .coordinates = solver::fastest_coordinates(numerics.elements(), {})});
+  solver::BeamSimulation simulation(
+      beam, unused, excitation, numerics,
+      {.contact = solver::TipContact::bonded, .coordinates = solver::Coordinates::fastest});
   const long steps = solver::step_count(numerics.duration(), numerics.time_step());
   SampledHistory history;
   for (long n = 0; n <= steps; ++n) {

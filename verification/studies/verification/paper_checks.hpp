@@ -47,7 +47,6 @@ struct SampledForces {
   analytic::Bounds range;              ///< smallest and largest, N
   std::optional<double> printed_step;  ///< s, the shortest that returns every printed digit, if one does
 };
-STICKSLIP_MEMBERS(SampledForces, (range, "N"), (printed_step, "s"))
 [[nodiscard]] SampledForces sampled_forces(const data::Case& paper, double hz);
 
 /// Computes the printed results (not the inputs) of data/paper/printed-numbers.toml that a computation can
