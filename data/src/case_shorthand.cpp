@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <span>
 #include <vector>
@@ -140,13 +141,14 @@ void expand_duration(Entries& entries) {
   supply(entries, "excitation.duration", number_at("numerics.duration", *given), "numerics.duration");
 }
 
-// Without a kinetic coefficient the friction does not fall: Coulomb's law. The exponential then has no
-// effect.
+// Without a kinetic coefficient the friction does not fall: Coulomb's law. The exponential then has no effect. With one
+// and no decay it jumps.
 void expand_friction(Entries& entries) {
   const Entry* holding = find(entries, "friction.static_coefficient");
-  if (holding == nullptr || find(entries, "friction.kinetic_coefficient") != nullptr) return;
-  entries.emplace("friction.kinetic_coefficient", *holding);
-  entries.try_emplace("friction.decay", Entry{0.0, "0", holding->place});
+  if (holding == nullptr) return;
+  const bool falls = !entries.try_emplace("friction.kinetic_coefficient", *holding).second;
+  const double decay = falls ? std::numeric_limits<double>::infinity() : 0.0;
+  entries.try_emplace("friction.decay", Entry{decay, shortest_text(decay), holding->place});
 }
 
 }  // namespace
