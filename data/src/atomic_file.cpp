@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <system_error>
@@ -112,6 +113,20 @@ void AtomicFile::fail() const {
   const std::string reason = std::generic_category().message(errno);
   throw OutputError("output " + (path_ == "-" ? "to standard output" : path_) +
                     " cannot be written: " + reason);
+}
+
+TemporaryFolder::TemporaryFolder() {
+  const char* const chosen = std::getenv("TMPDIR");
+  std::string name = std::string(chosen == nullptr ? "/tmp" : chosen) + "/stickslip-XXXXXX";
+  if (::mkdtemp(name.data()) == nullptr)
+    throw std::system_error(errno, std::generic_category(),
+                            "the temporary folder " + name + " cannot be made");
+  path_ = name;
+}
+
+TemporaryFolder::~TemporaryFolder() {
+  std::error_code ignored;  // nothing is left to be done about a folder that cannot be removed
+  fs::remove_all(path_, ignored);
 }
 
 void write_text(const std::filesystem::path& file, std::string_view text) {

@@ -124,7 +124,7 @@ std::runtime_error no_pdf(const ToolMissing& missing, const OutputFolder& output
 }  // namespace
 
 std::string read_test_results(const fs::path& tests) {
-  const TemporaryFolder folder;
+  const data::TemporaryFolder folder;
   const fs::path file = folder.path() / "tests.json";
   run_renderer({"tests", fs::absolute(tests).string(), file.string()}, folder.path());
   return data::read_text(file);

@@ -4,8 +4,8 @@
 
 #include "comparison/groups.hpp"
 #include "own_copy.hpp"
+#include "stickslip/data/atomic_file.hpp"
 #include "stickslip/data/input_text.hpp"
-#include "support/input_folder.hpp"
 #include "support/testing.hpp"
 
 namespace stickslip::testing {
@@ -121,7 +121,7 @@ class ComparedPackage : public ::testing::Test {
   }
 
  private:
-  TemporaryFolder folder_;
+  data::TemporaryFolder folder_;
 };
 
 STICKSLIP_VERIFIES(ComparedPackage, "X20");

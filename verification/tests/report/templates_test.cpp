@@ -18,7 +18,6 @@
 #include "stickslip/data/atomic_file.hpp"
 #include "stickslip/data/input_error.hpp"
 #include "support/error_message.hpp"
-#include "support/input_folder.hpp"
 #include "support/requirements.hpp"
 
 namespace stickslip {
@@ -66,7 +65,7 @@ class ReportTemplates : public ::testing::Test {
     return testing::error_message_of<std::runtime_error>([&] { (void)filled_in(text); });
   }
 
-  const testing::TemporaryFolder temporary_;
+  const data::TemporaryFolder temporary_;
   const fs::path folder_ = temporary_.path();
   const fs::path templates_ = folder_ / "templates";
 };

@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-#include "support/input_folder.hpp"
+#include "stickslip/data/atomic_file.hpp"
 
 namespace stickslip::testing {
 
@@ -82,13 +82,15 @@ class CommandLine : public ::testing::Test {
 
  private:
   const std::filesystem::path old_folder_ = std::filesystem::current_path();
-  const TemporaryFolder folder_;
+  const data::TemporaryFolder folder_;
 };
 
+/// The cells of a table, without its comments.
 inline std::vector<std::vector<std::string>> csv(const std::string& text) {
   std::vector<std::vector<std::string>> rows;
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with('#')) continue;
     rows.emplace_back();
     std::istringstream cells(line);
     for (std::string cell; std::getline(cells, cell, ',');) rows.back().push_back(cell);

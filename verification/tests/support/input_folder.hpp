@@ -4,40 +4,20 @@
 /// Folders of the tests, and the sentence that refuses an input file.
 
 #include <gtest/gtest.h>
-#include <stdlib.h>
 
-#include <cerrno>
 #include <filesystem>
 #include <fstream>
 #include <functional>
 #include <string>
-#include <system_error>
 
+#include "stickslip/data/atomic_file.hpp"
 #include "stickslip/data/input_error.hpp"
 #include "support/error_message.hpp"
 
 namespace stickslip::testing {
 
-/// An empty folder that no other process uses, and that is removed at the end.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string name = std::filesystem::temp_directory_path() / "stickslip-XXXXXX";
-    if (::mkdtemp(name.data()) == nullptr) throw std::system_error(errno, std::generic_category(), name);
-    path_ = name;
-  }
-  ~TemporaryFolder() { std::filesystem::remove_all(path_); }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  [[nodiscard]] const std::filesystem::path& path() const noexcept { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
-
 /// A folder for the files that a test reads.
-class InputFolder : public TemporaryFolder {
+class InputFolder : public data::TemporaryFolder {
  public:
   /// Writes a file of this name, or replaces it, and returns its path.
   std::filesystem::path write(const std::string& name, const std::string& text) const {

@@ -48,6 +48,21 @@ class AtomicFile {
   std::FILE* stream_{};
 };
 
+/// A new folder, which no other process has, that is removed in the end. It is in TMPDIR or else in /tmp.
+class TemporaryFolder {
+ public:
+  /// Throws std::system_error.
+  TemporaryFolder();
+  ~TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  [[nodiscard]] const std::filesystem::path& path() const noexcept { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
 /// Writes an AtomicFile. Throws OutputError.
 void write_text(const std::filesystem::path& file, std::string_view text);
 
