@@ -62,7 +62,9 @@ std::vector<CompareOptions> runs_of(const CompareOptions& options) {
 
 comparison::Comparison compare(const CompareOptions& options, const data::ReferencePackage& package,
                                const std::function<void(double)>& progress) {
-  const comparison::Reference reference = comparison::read_reference(package, options.name);
+  const bool is_own_run = options.name.ends_with(".csv");
+  const comparison::Reference reference =
+      is_own_run ? comparison::own_run(options.name) : comparison::read_reference(package, options.name);
   comparison::Settings settings{.tolerances = {}, .until = options.until};
   if (!options.rows.empty()) settings.rows = parse_rows(options.rows);
   for (const std::string& text : options.tolerances) {
@@ -85,7 +87,8 @@ comparison::Comparison compare(const CompareOptions& options, const data::Refere
   const data::UserTable theirs =
       data::read_user_table(options.file, reference.table, mappings, options.names);
   comparison::Comparison result = comparison::compare(reference, theirs, settings);
-  result.diagnoses = comparison::diagnose(result, package, reference.table, theirs, progress);
+  if (!is_own_run)
+    result.diagnoses = comparison::diagnose(result, package, reference.table, theirs, progress);
   return result;
 }
 
@@ -127,9 +130,10 @@ Answer compared(const CompareOptions& options, Outputs& outputs) {
   const bool is_one = options.manifest.empty();
   if (is_one && !all.front().comparison) throw data::InputError(all.front().refusal);
   outputs.write("the table", [&] { return is_one ? text_of(*all.front().comparison) : text_of(all); });
-  outputs.write("--json", [&] {
-    return (is_one ? json_of(*all.front().comparison, options.file) : json_of(all)).dump(2) + "\n";
-  });
+  if (is_one)
+    outputs.write_json(json_of(*all.front().comparison, options.file));
+  else
+    outputs.write("--json", [&] { return json_of(all).dump(2) + "\n"; });
   outputs.draw(options.name,
                [&](const report::Look& look) { return report::draw(*all.front().comparison, look); });
   Answer answer;
@@ -144,9 +148,9 @@ void add_options(CLI::App& command, CompareOptions& options) {
   const auto words = [&](const char* name, auto& value, const char* type, const char* help) {
     return command.add_option(name, value, help)->type_name(type);
   };
-  command.add_option(
-      "NAME", options.name,
-      "A data set that 'stickslip reference list' lists; with --case the file of a measurement");
+  command.add_option("NAME", options.name,
+                     "A data set that 'stickslip reference list' lists, or the .csv file of a run of your "
+                     "own; with --case the file of a measurement");
   file("FILE", options.file,
        "CSV file with the columns of the data set, '-' for standard input; a unit may follow a name, as in "
        "'frequency [kHz]'");

@@ -847,6 +847,34 @@ Reference read_reference(const data::ReferencePackage& package, const std::strin
   return reference;
 }
 
+Reference own_run(const std::filesystem::path& file) {
+  data::ReferenceTable table;
+  data::Resource& resource = table.resource;
+  resource.name = file.string();
+  resource.title = "a run of one's own";
+  resource.primary_key = {"time"};
+  data::ComparisonRule& rule = resource.comparison.emplace();
+  rule.kind = ComparisonKind::curve;
+  rule.abscissa = "time";
+  const auto add = [&](const std::string& name, const std::string& unit) {
+    data::Field& field = table.columns.emplace_back().field;
+    field.name = name;
+    field.type = data::FieldType::number;
+    field.unit = unit;
+    resource.fields.push_back(field);
+  };
+  add("time", "s");
+  for (const std::string name : {"tip_displacement", "midspan_displacement"}) {
+    add(name, "m");
+    rule.values.push_back({name, data::Norm::range, 0.01});
+  }
+  const data::UserTable run = data::read_user_table(file, table);
+  std::erase_if(rule.values,
+                [&](const data::ComparedValue& value) { return run.column(value.field) == nullptr; });
+  table.columns = run.columns;
+  return {.table = table};
+}
+
 Comparison compare(const Reference& reference, const data::UserTable& theirs, const Settings& settings) {
   return Comparer(reference, theirs, settings).run();
 }

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <filesystem>
 #include <limits>
 #include <map>
 #include <optional>
@@ -86,6 +87,11 @@ struct Reference {
 
 /// Throws what data::read_table() throws.
 [[nodiscard]] Reference read_reference(const data::ReferencePackage& package, const std::string& name);
+
+/// A history of one's own in place of a data set: the displacements of tip and middle, which the file of `stickslip respond` has,
+/// as smooth curves without a half-width and with a tolerance of 1 % of their range. Forces jump and are left out. Throws what
+/// data::read_user_table() throws.
+[[nodiscard]] Reference own_run(const std::filesystem::path& file);
 
 /// The settings of a comparison.
 struct Settings {

@@ -172,6 +172,23 @@ TEST_F(CompareCommand, ReadsStandardInputAndWritesNothingBesideXmlToStandardOutp
   EXPECT_TRUE(xml.starts_with("<?xml") && xml.ends_with("</testsuites>\n")) << xml;
 }
 
+// The motion of a tip that sticks is proportional to the amplitude; the other method has another error, far below 1 %.
+TEST_F(CompareCommand, HoldsARunOfOnesOwnAgainstAnother) {
+  const std::string respond = "respond paper --hz 30 --duration 0.2 --amplitude ";
+  ASSERT_EQ(run(respond + "1e-4 --output one.csv").status, 0);
+  ASSERT_EQ(run(respond + "1e-4 --method closed-form --rate 3000 --output other.csv").status, 0);
+  ASSERT_EQ(run(respond + "1.05e-4 --output larger.csv").status, 0);
+  EXPECT_TRUE(run("compare one.csv other.csv").output.ends_with("\nagrees\n"));
+  const Outcome outcome = run("compare one.csv larger.csv --json -");
+  EXPECT_EQ(outcome.status, 1) << outcome.errors;
+  const auto answer = nlohmann::json::parse(outcome.output);
+  EXPECT_EQ(answer["data_set"], "one.csv");
+  EXPECT_NEAR(answer["quantities"].back()["error"], 0.05,
+              0.026);  // half of it where the range lies on both sides of 0
+  EXPECT_EQ(run("compare one.csv larger.csv --tolerance 0.06").status, 0);
+  expect_refused("compare none.csv other.csv", "none.csv");
+}
+
 TEST_F(CompareCommand, SaysTheLargestErrorOfAnUndampedHistory) {
   // The contact by the letter of the paper, on the mesh and the step that it takes.
   ASSERT_EQ(run("respond paper --hz 25 --amplitude 1e-3 --duration 0.5 --scheme paper --every 5 --output "
@@ -423,9 +440,9 @@ TEST_F(CompareCommand, DrawsWhatItCompared) {
     EXPECT_EQ(outcome.errors, "");
     const auto rows = csv(contents(path("figure." + format)));
     ASSERT_GE(rows.size(), 10u);
-    EXPECT_EQ(rows[2],
+    EXPECT_EQ(rows[0],
               (std::vector<std::string>{"abscissa", "theirs", "reference", "half_width", "allowed"}));
-    EXPECT_EQ(rows[3][1], "1.607");
+    EXPECT_EQ(rows[1][1], "1.607");
     EXPECT_EQ(rows[rows.size() - 2], std::vector<std::string>{"mode"});
     EXPECT_EQ(rows.back(), std::vector<std::string>{"frequency / Hz"});
   }
