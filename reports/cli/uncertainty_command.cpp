@@ -9,6 +9,8 @@
 #include "command.hpp"
 #include "commands.hpp"
 #include "range_text.hpp"
+#include "render/csv_table.hpp"
+#include "render/drawing.hpp"
 #include "studies/analyses/slip_probability.hpp"
 
 namespace stickslip::cli {
@@ -19,6 +21,7 @@ struct UncertaintyOptions {
   CaseOptions problem{.name = "uncertain"};
   std::optional<std::string> band;
   studies::SlipSampling sampling;
+  std::string figure;
 };
 
 constexpr int digits = 4;
@@ -52,6 +55,17 @@ void add_samples(Answer& answer, const data::Case& problem, const UncertaintyOpt
   answer.add_row("probability of slip",
                  {fmt::format("{}: {} of {}", with_interval(result.probability_of_slip, 5), result.slips,
                               result.valid)});
+  if (const auto& all = result.all_modes) {
+    answer.add_row("the same, all modes",
+                   {fmt::format("{}: {} of the first {}, of which {} with {} modes",
+                                with_interval(all->probability_of_slip, 5), all->slips, all->valid,
+                                all->slips_truncated, problem.numerics.modes())});
+    answer.add_members({{"all_modes",
+                         {{"valid_samples", all->valid},
+                          {"slips", all->slips},
+                          {"slips_with_modes", all->slips_truncated},
+                          {"probability_of_slip", to_json(all->probability_of_slip)}}}});
+  }
   Json invalid = Json::object();
   for (const auto& [reason, count] : result.invalid) {
     invalid[reason] = count;
@@ -147,11 +161,18 @@ Answer answer_of(const data::Case& problem, const UncertaintyOptions& options,
   answer.add_table("keys", table_of(result));
   if (result.sensitivity) answer.add_members({{"index_rows_dropped", result.sensitivity->dropped}});
   answer.add_line("\n" + advice(answer, result));
-  answer.text += fmt::format("All numbers are those of {} modes, all intervals those of 95 % confidence. ",
-                             problem.numerics.modes());
+  answer.text +=
+      fmt::format("Numbers are those of {} modes unless said, intervals those of 95 % confidence. ",
+                  problem.numerics.modes());
   answer.add_line(result.sensitivity ? "The indices are shares in the variance of log(margin)."
                                      : "There are no indices: keys are correlated, or more than 20.");
   return answer;
+}
+
+std::string drawing(const std::vector<double>& margins, const report::Look& look) {
+  report::CsvTable table("Margins of the samples", {{"margin", "1"}});
+  for (const double margin : margins) table.add_numbers({margin});
+  return report::drawing_of("uncertainty", look, {{"uncertainty.csv", table.text()}});
 }
 
 Answer slip_probability(const UncertaintyOptions& given, Outputs& outputs) {
@@ -173,11 +194,12 @@ Answer slip_probability(const UncertaintyOptions& given, Outputs& outputs) {
   const auto inquiry = options.band ? studies::Inquiry::design : studies::Inquiry::criterion;
   studies::require_feasible(problem, inquiry);
   outputs.about(problem);
-  outputs.open({});
-  Answer answer = answer_of(
-      problem, options,
-      studies::slip_uncertainty(problem, uncertainty, options.sampling, std::ref(outputs.progress())));
+  outputs.open({{"--figure", options.figure}});
+  const studies::SlipUncertainty result =
+      studies::slip_uncertainty(problem, uncertainty, options.sampling, std::ref(outputs.progress()));
+  Answer answer = answer_of(problem, options, result);
   answer.warnings = warnings_of(problem, inquiry);
+  outputs.draw(problem.name, [&](const report::Look& look) { return drawing(result.margins, look); });
   return answer;
 }
 
@@ -199,6 +221,7 @@ void add_options(CLI::App& command, UncertaintyOptions& options) {
       ->check(integer_between(0, 1'000'000'000))
       ->capture_default_str();
   add_threads_option(command);
+  add_figure_option(command, options.figure, "Histogram of the margins");
 }
 
 }  // namespace
@@ -207,7 +230,7 @@ void add_uncertainty_command(CLI::App& app) {
   add<UncertaintyOptions>(
       app, {.name = "uncertainty",
             .help = "Probability of slip of a case with uncertain keys, and which of them it hangs on",
-            .examples = {"stickslip uncertainty uncertain --samples 1000",
+            .examples = {"stickslip uncertainty uncertain --samples 1000 --figure margins.svg",
                          "stickslip uncertainty uncertain --band 30:35 --samples 50 --json"},
             .add_options = add_options,
             .run = slip_probability});

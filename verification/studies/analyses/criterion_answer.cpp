@@ -33,33 +33,17 @@ data::HarmonicExcitation unit_excitation(double frequency_hz) {
 }
 
 analytic::Criterion criterion_of(const data::Case& problem, const data::HarmonicExcitation& excitation,
-                                 int modes, SteadyPart steady_part, double width = bounds_width) {
+                                 int modes, SteadyPart steady_part, double width) {
   return analytic::evaluate_criterion(problem.beam, problem.friction, excitation, problem.numerics.duration(),
                                       modes, steady_part, width, problem.damping);
 }
 
 // What the modes that are not kept can add to the undamped reaction at most, N per m.
-double omitted_transient_bound(const data::Case& problem, const data::HarmonicExcitation& unit) {
-  const int modes = kept_modes(problem);
+double omitted_transient_bound(const data::Case& problem, const data::HarmonicExcitation& unit, int modes) {
   if (problem.beam.shear_stiffness() > 0.0)
     return analytic::timoshenko_omitted_transient(analytic::timoshenko_reaction(problem.beam, modes),
                                                   angular_frequency(unit));
   return analytic::StickResponse(problem.beam, unit, modes, SteadyPart::exact).omitted_transient_bound();
-}
-
-// Evaluated at an amplitude of 1 m and scaled, since the reaction is proportional to the amplitude.
-analytic::Criterion with_all_modes(const data::Case& problem) {
-  const auto unit = unit_excitation(problem.excitation.frequency_hz());
-  const double omitted = omitted_transient_bound(problem, unit);
-  const auto criterion = criterion_of(problem, unit, kept_modes(problem), SteadyPart::exact);
-  const analytic::Bounds per_unit{std::max(0.0, criterion.force_max.lower - omitted),
-                                  criterion.force_max.upper + omitted};
-  const double limit = criterion.friction_limit, amplitude = problem.excitation.amplitude();
-  const analytic::Bounds force{amplitude * per_unit.lower, amplitude * per_unit.upper};
-  return {.force_max = force,
-          .friction_limit = limit,
-          .critical_amplitude = {limit / per_unit.upper, limit / per_unit.lower},
-          .verdict = analytic::verdict_of(force, limit)};
 }
 
 // N per m: with a damping ratio by the modes kept, else exact.
@@ -81,7 +65,7 @@ double steady_force_per_unit(const data::Case& problem) {
                       .steady_force_amplitude());
 }
 
-// with_all_modes() refuses a case whose kept_modes() have none.
+// criterion_with_all_modes() refuses a case whose kept_modes() have none.
 StickFrequency nearest_stick_frequency(const data::Case& problem) {
   const auto shares = analytic::modal_forces(problem.beam, kept_modes(problem));
   const double omega = angular_frequency(problem.excitation);
@@ -149,13 +133,30 @@ std::optional<Change> best_change(
   return best.key.empty() ? std::nullopt : std::optional(best);
 }
 
+// Evaluated at an amplitude of 1 m and scaled, since the reaction is proportional to the amplitude.
+analytic::Criterion criterion_with_all_modes(const data::Case& problem, double relative_width,
+                                             int most_modes) {
+  const auto unit = unit_excitation(problem.excitation.frequency_hz());
+  const int modes = std::min(most_modes, kept_modes(problem));
+  const double omitted = omitted_transient_bound(problem, unit, modes);
+  const auto criterion = criterion_of(problem, unit, modes, SteadyPart::exact, relative_width);
+  const analytic::Bounds per_unit{std::max(0.0, criterion.force_max.lower - omitted),
+                                  criterion.force_max.upper + omitted};
+  const double limit = criterion.friction_limit, amplitude = problem.excitation.amplitude();
+  const analytic::Bounds force{amplitude * per_unit.lower, amplitude * per_unit.upper};
+  return {.force_max = force,
+          .friction_limit = limit,
+          .critical_amplitude = {limit / per_unit.upper, limit / per_unit.lower},
+          .verdict = analytic::verdict_of(force, limit)};
+}
+
 CriterionAnswer criterion_answer(const data::Case& problem) {
-  CriterionAnswer answer{
-      .truncated = criterion_of(problem, problem.excitation, problem.numerics.modes(), SteadyPart::modal_sum),
-      .all_modes = with_all_modes(problem),
-      .steady = {},
-      .nearest = nearest_stick_frequency(problem),
-      .best_change = {}};
+  CriterionAnswer answer{.truncated = criterion_of(problem, problem.excitation, problem.numerics.modes(),
+                                                   SteadyPart::modal_sum, bounds_width),
+                         .all_modes = criterion_with_all_modes(problem, bounds_width),
+                         .steady = {},
+                         .nearest = nearest_stick_frequency(problem),
+                         .best_change = {}};
   answer.steady = steady_state(problem, answer.nearest);
   if (problem.excitation.amplitude() > 0.0)
     answer.best_change =
@@ -163,7 +164,7 @@ CriterionAnswer criterion_answer(const data::Case& problem) {
           const data::Case changed = data::with_value(problem, key, value);
           if (changed.beam.axial_force() >= analytic::stick_buckling_load(changed.beam)) return std::nullopt;
           return margin_of(criterion_of(changed, changed.excitation, changed.numerics.modes(),
-                                        SteadyPart::modal_sum))
+                                        SteadyPart::modal_sum, bounds_width))
               .lower;
         });
   return answer;

@@ -48,6 +48,11 @@ struct CriterionAnswer {
 /// with the largest margin is kept. Throws what evaluate_criterion() throws.
 [[nodiscard]] CriterionAnswer criterion_answer(const data::Case& problem);
 
+/// CriterionAnswer::all_modes with bounds of that width and at most so many free vibrations, 200 or 40 with damping without a
+/// limit. The bounds hold what is left out, 1e-5 of the paper's force with 40. Throws as criterion_answer() does.
+[[nodiscard]] analytic::Criterion criterion_with_all_modes(const data::Case& problem, double relative_width,
+                                                           int most_modes = 200);
+
 /// The change with the largest margin of those of one key by a tenth: amplitude, frequency, length, axial force, Young's modulus,
 /// density or static coefficient. `margin_with` gives the margin with a key at a value, nothing where there is no stick state.
 [[nodiscard]] std::optional<Change> best_change(

@@ -179,30 +179,52 @@ Count count_samples(const Verdicts& verdicts, const JointDistribution& joint, co
   return count;
 }
 
-std::vector<SlipUncertainty::Quantile> quantiles_of(const Verdicts& verdicts, const JointDistribution& joint,
-                                                    const SlipSampling& sampling,
-                                                    const std::function<void(double)>& progress) {
-  std::vector<std::optional<SampleResult>> all(at_most(most_quantile_samples, sampling));
+// Of the first samples; nothing for one that is no valid beam.
+template <class Function>
+auto results_of(std::size_t count, const JointDistribution& joint, const SlipSampling& sampling,
+                const std::function<void(double)>& progress, const Function& function) {
+  std::vector<decltype(result_or_reason([&] { return function(std::span<const double>()); }))> all(count);
   in_parallel(
-      all.size(),
+      count,
       [&](std::size_t index) {
         const auto values = joint.at(independent_point(sampling.seed, index, joint.size()));
-        all[index] = result_or_reason([&] { return verdicts.at(values); });
+        all[index] = result_or_reason([&] { return function(values); });
       },
       progress);
-  std::vector<double> amplitudes, margins;
-  for (const auto& verdict : all) {
-    if (!verdict) continue;
-    amplitudes.push_back(verdict->critical_amplitude);
-    margins.push_back(verdict->margin);
+  return all;
+}
+
+void add_quantiles(SlipUncertainty& result, const std::vector<std::optional<SampleResult>>& samples) {
+  std::vector<double> amplitudes;
+  for (const auto& sample : samples) {
+    if (!sample) continue;
+    amplitudes.push_back(sample->critical_amplitude);
+    result.margins.push_back(sample->margin);
   }
-  std::vector<SlipUncertainty::Quantile> quantiles;
-  if (margins.empty()) return quantiles;
+  if (amplitudes.empty()) return;
   std::ranges::sort(amplitudes);
-  std::ranges::sort(margins);
+  std::ranges::sort(result.margins);
   for (const double p : quantile_probabilities)
-    quantiles.push_back({p, quantile_of(amplitudes, p), quantile_of(margins, p)});
-  return quantiles;
+    result.quantiles.push_back({p, quantile_of(amplitudes, p), quantile_of(result.margins, p)});
+}
+
+// A fifth of the cost with all of them; modes enough for the bound of those that are left out.
+bool slips_with_all_modes(const data::Case& problem) {
+  const int modes = std::max(40, 4 * problem.numerics.modes());
+  return criterion_with_all_modes(problem, force_width, modes).verdict == analytic::Verdict::stick_slip;
+}
+
+SlipUncertainty::AllModes all_modes_of(const std::vector<std::optional<SampleResult>>& truncated,
+                                       const std::vector<std::optional<bool>>& slips) {
+  SlipUncertainty::AllModes all;
+  for (std::size_t i = 0; i < slips.size(); ++i) {
+    if (!slips[i] || !truncated[i]) continue;
+    ++all.valid;
+    if (*slips[i]) ++all.slips;
+    if (truncated[i]->slips) ++all.slips_truncated;
+  }
+  if (all.valid > 0) all.probability_of_slip = probability_of(all.slips, all.valid);
+  return all;
 }
 
 // The margin with one key at a value, if that is a beam.
@@ -314,7 +336,9 @@ SlipUncertainty slip_uncertainty(const data::Case& problem, const data::Uncertai
   const double index_work = has_indices ? static_cast<double>(rows * (joint.size() + 2)) : 0.0;
   const auto draws = 0.1 * static_cast<double>(sampling.samples);  // what a verdict costs, of a margin
   const auto margins = static_cast<double>(at_most(most_quantile_samples, sampling));
-  const double work = 2.0 * draws + margins + index_work;
+  const std::size_t all_modes = sampling.band ? 0 : std::min(most_samples_of_all_modes, sampling.samples);
+  const double all_modes_work = 5.0 * static_cast<double>(all_modes);
+  const double work = 2.0 * draws + margins + all_modes_work + index_work;
   double done = 0.0;
   const auto part = [&](double length) {
     const double from = done / work, share = length / work;
@@ -332,7 +356,15 @@ SlipUncertainty slip_uncertainty(const data::Case& problem, const data::Uncertai
   result.slips = count.slips;
   result.invalid = count.invalid;
   result.probability_of_slip = probability_of(count.slips, count.valid);
-  result.quantiles = quantiles_of(verdicts, joint, sampling, part(margins));
+  const auto samples = results_of(at_most(most_quantile_samples, sampling), joint, sampling, part(margins),
+                                  [&](std::span<const double> values) { return verdicts.at(values); });
+  add_quantiles(result, samples);
+  if (!sampling.band)
+    result.all_modes = all_modes_of(
+        samples,
+        results_of(all_modes, joint, sampling, part(all_modes_work), [&](std::span<const double> values) {
+          return slips_with_all_modes(case_at(problem, uncertainty.keys, values));
+        }));
   result.tornado = tornado_of(problem, uncertainty, sampling.band);
   if (has_indices)
     result.sensitivity = sobol_indices(

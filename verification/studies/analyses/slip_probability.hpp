@@ -48,7 +48,14 @@ struct SlipUncertainty {
   double nominal_margin{};
   Estimate probability_of_slip;     ///< among the valid samples
   std::vector<Quantile> quantiles;  ///< at 5, 25, 50, 75, 95 %
-  std::vector<Tornado> tornado;     ///< in the order of the keys
+  std::vector<double> margins;      ///< of the samples of the quantiles, ascending
+  /// The first samples with all modes (criterion_with_all_modes), and how many of them slip with numerics.modes.
+  struct AllModes {
+    std::size_t valid{}, slips{}, slips_truncated{};
+    Estimate probability_of_slip;
+  };
+  std::optional<AllModes> all_modes;  ///< nothing over a band
+  std::vector<Tornado> tornado;       ///< in the order of the keys
   /// Indices of log(margin), in the order of the keys; empty if keys are correlated, or more than 20.
   std::optional<Sensitivity> sensitivity;
   std::size_t decisive{};  ///< the key with the largest total index, or the widest row of the tornado
@@ -66,6 +73,9 @@ constexpr std::size_t most_index_rows = 4096, band_part = 16;
 /// The largest number of samples whose margin is computed for the quantiles, the first ones; with a band the same
 /// part of it.
 constexpr std::size_t most_quantile_samples = 10000;
+
+/// The largest number of samples that are judged with all modes, the first ones.
+constexpr std::size_t most_samples_of_all_modes = 1000;
 
 /// Draws independent samples of the keys, builds the case of each and evaluates the criterion: the verdict of all
 /// samples (ForceMaximum::exceeds, BandMaximum::exceeds), and |f_max| to 1e-8, or over a band to 1e-3, of those

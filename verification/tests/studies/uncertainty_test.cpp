@@ -299,6 +299,30 @@ TEST(SlipProbability, OfACoefficientIsThatOfItsDistribution) {
   }
 }
 
+// With mu_s alone the samples below the coefficient of all modes slip, which is another than that of ten modes.
+TEST(SlipProbability, OfAllModesCountsTheFirstSamplesBelowTheirCoefficient) {
+  const studies::JointDistribution joint(uncertain_coefficient());
+  data::Case of = problem();
+  for (const data::Damping& damping : {data::Damping(), data::Damping({.kelvin_voigt = 6.4e-5})}) {
+    of.damping = damping;
+    const double all_modes = studies::criterion_answer(of).all_modes.force_max.midpoint() / 500.0;
+    std::size_t slips = 0, truncated = 0;
+    for (std::size_t i = 0; i < 1000; ++i) {
+      const double coefficient = joint.at(studies::independent_point(2, i, 1)).front();
+      if (coefficient < all_modes) ++slips;
+      if (coefficient < critical_coefficient(of)) ++truncated;
+    }
+    const auto result = studies::slip_uncertainty(of, uncertain_coefficient(), {.samples = 2000, .seed = 2});
+    ASSERT_TRUE(result.all_modes);
+    EXPECT_EQ(result.all_modes->valid, 1000u);
+    EXPECT_EQ(result.all_modes->slips, slips);
+    EXPECT_EQ(result.all_modes->slips_truncated, truncated);
+    EXPECT_NE(slips, truncated);
+    EXPECT_EQ(result.all_modes->probability_of_slip.value, static_cast<double>(slips) / 1000.0);
+    EXPECT_EQ(result.margins.size(), 2000u);
+  }
+}
+
 // log(margin) is normal: that of mu_s less that of the amplitude, and its variance is known with their correlation.
 TEST(SlipProbability, OfCorrelatedKeysIsThatOfTheirQuotient) {
   auto uncertainty = independent({{"friction.static_coefficient", lognormal(0.6, 0.06)},
