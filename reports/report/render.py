@@ -474,7 +474,7 @@ def environment_for(templates):
         comment_start_string="<#", comment_end_string="#>", trim_blocks=True, lstrip_blocks=True,
         keep_trailing_newline=True)
     environment.filters |= {function.__name__: function for function in FILTERS}
-    environment.filters |= {"percent": lambda value: 100.0 * value, "milli": lambda value: value / 1e-3,
+    environment.filters |= {"log10": math.log10, "percent": lambda value: 100.0 * value, "milli": lambda value: value / 1e-3,
                             "micro": lambda value: value / 1e-6, "nano": lambda value: value / 1e-9}
     return environment
 
