@@ -8,6 +8,7 @@
 #include "command.hpp"
 #include "commands.hpp"
 #include "render/animation.hpp"
+#include "stickslip/data/input_text.hpp"
 
 namespace stickslip::cli {
 
@@ -21,6 +22,14 @@ struct AnimateOptions {
   int frames = 200;
   std::string output = "frames";
 };
+
+// Of no other film than a GIF.
+std::string no_other_film(const std::string& name) {
+  if (!name.ends_with(".mp4") && !name.ends_with(".webm") && !name.ends_with(".avi")) return "";
+  return fmt::format(
+      "is {}, but must be a folder or a .gif file; ffmpeg makes other films of the frames in a folder",
+      data::printable(name));
+}
 
 // With the duration that is drawn.
 data::Case case_of(const AnimateOptions& options) {
@@ -70,8 +79,11 @@ void add_options(CLI::App& command, AnimateOptions& options) {
   command.add_option("--frames", options.frames, "Number of frames, evenly over the duration")
       ->check(integer_between(2, report::most_frames))
       ->capture_default_str();
-  command.add_option("--output", options.output, "Folder for frame-0001.png ... and motion.csv")
+  command
+      .add_option("--output", options.output,
+                  "Folder for frame-0001.png ... and motion.csv, or a film, a .gif file")
       ->check(file_name())
+      ->check(CLI::Validator(no_other_film, ""))
       ->capture_default_str();
 }
 
@@ -80,7 +92,7 @@ void add_options(CLI::App& command, AnimateOptions& options) {
 void add_animate_command(CLI::App& app) {
   add<AnimateOptions>(
       app, {.name = "animate",
-            .help = "Motion of the whole beam, as PNG files for a film",
+            .help = "Motion of the whole beam, as PNG files or a film",
             .examples =
                 {"stickslip animate paper --hz 25 --amplitude 1e-3 --duration 0.1 --frames 5 --output film"},
             .add_options = add_options,

@@ -123,14 +123,15 @@ void HistoryOutput::add(const studies::HistoryRow& row, long step) {
   const double rounding = 1e-9 * problem_.numerics.time_step();
   if (row.time < from_ - rounding || row.time > to_ + rounding) return;
   // The header not before, so that an error in the problem writes nothing.
-  outputs_.file("--output").write((rows_++ == 0 ? column_names : "") + csv_line(row));
+  outputs_.file("--output")
+      .write((rows_++ == 0 ? outputs_.heading("Motion of the tip") + column_names : "") + csv_line(row));
   if (drawing_) drawing_->add(row);
 }
 
 void HistoryOutput::finish(const studies::History& history) {
   outputs_.commit("--output");
   outputs_.write("--events", [&] {
-    std::string text = "time_s,change,tip_displacement_m\n";
+    std::string text = "# Changes of contact\ntime_s,change,tip_displacement_m\n";
     for (const data::ContactEvent& event : history.events)
       text += fmt::format("{},{},{}\n", data::shortest_text(event.time), data::to_string(event.change),
                           data::shortest_text(event.position));
@@ -145,7 +146,7 @@ void HistoryOutput::finish(const studies::History& history) {
 }
 
 std::string HistoryOutput::spectrum_text() const {
-  std::string text = "frequency_Hz,tip_displacement_m,friction_force_N\n";
+  std::string text = "# Spectrum\nfrequency_Hz,tip_displacement_m,friction_force_N\n";
   for (const auto& line :
        studies::spectrum_of(tip_displacements_, friction_forces_, spectrum_rows_,
                             static_cast<double>(row_step_) * problem_.numerics.time_step()))

@@ -79,7 +79,7 @@ Answer compared_with_case(const std::string& file, const OwnComparison& options,
   if (!result.has_uncertainty) answer.add_line("The case has no table [uncertainty]: u_input is 0.");
   require_finite(answer.json);
   outputs.write("the table", [&] { return answer.text; });
-  outputs.write("--json", [&] { return answer.json.dump(2) + "\n"; });
+  outputs.write_json(answer.json);
   Answer verdict;
   verdict.status =
       std::ranges::all_of(result.comparisons, &validation::Comparison::contains_zero) ? done : failed;

@@ -7,6 +7,7 @@
 #include <atomic>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "render/csv_table.hpp"
@@ -118,7 +119,13 @@ std::vector<fs::path> drawn_frames(const data::Case& problem, const studies::His
 void write_animation(const data::Case& problem, const AnimationOptions& options) {
   (void)templates_directory();  // refused now rather than after the run
   require_tool("gnuplot");
-  OutputFolder output(options.output);
+  std::optional<data::AtomicFile> film;
+  std::optional<data::TemporaryFolder> temporary;
+  if (options.output.extension() == ".gif") {
+    film.emplace(options.output.string());
+    temporary.emplace();
+  }
+  OutputFolder output(temporary ? temporary->path() : options.output);
   refuse_later_frames(output, options.frames);
   Progress progress("stickslip animate", Progress::standard_error(options.quiet),
                     static_cast<std::size_t>(options.frames));
@@ -127,6 +134,10 @@ void write_animation(const data::Case& problem, const AnimationOptions& options)
   Interruption interruption([&] {
     progress.finish();
     output.clear_scratch();
+    if (film) {
+      film->discard();
+      remove_all(temporary->path());
+    }
     return fmt::format("interrupted after {:.0f} % of the frames, none of which is kept{}",
                        100.0 * progress.share(), has_motion ? "; the motion is in " + table : "");
   });
@@ -135,9 +146,15 @@ void write_animation(const data::Case& problem, const AnimationOptions& options)
       studies::snapshots_of(problem, 0.0, problem.numerics.duration(), options.frames, positions);
   const studies::History motion = motion_of(problem, options, sampling);
   output.write("motion.csv", table_of(problem, motion, sampling.positions, 0, motion.rows.size()).text());
-  has_motion = true;
+  has_motion = !film;
   const std::vector<fs::path> frames = drawn_frames(problem, motion, sampling.positions, progress, output);
+  if (film) {
+    progress.stage("drawing " + options.output.string());
+    film->write(
+        data::read_text(draw_in_scratch("film", {.format = "gif"}, "../", {"film.gif"}, output).front()));
+  }
   const auto undisturbed = interruption.hold();
+  if (film) return film->commit();
   for (const fs::path& frame : frames) output.publish(frame);
 }
 

@@ -11,19 +11,22 @@ namespace stickslip::report {
 
 struct AnimationOptions {
   const studies::Method* method{};
-  int frames{};                  ///< 2 ... most_frames, evenly over numerics.duration(), its ends included
-  std::filesystem::path output;  ///< folder that receives the frames; made if missing
-  bool quiet{};                  ///< no progress on standard error
+  int frames{};  ///< 2 ... most_frames, evenly over numerics.duration(), its ends included
+  std::filesystem::path
+      output;    ///< folder that receives the frames, made if missing; or a film, whose name ends in .gif
+  bool quiet{};  ///< no progress on standard error
 };
 
 inline constexpr int most_frames = 9999;
 
 /// Writes motion.csv, the motion of the beam, and draws it as frame-0001.png, frame-0002.png, ..., all with
-/// the same size and axes. The frames appear when the last one is drawn, or not at all.
+/// the same size and axes. The frames appear when the last one is drawn, or not at all. A film shows them at 25 a second,
+/// again and again, and is all that is left.
 ///
 /// Throws data::InputError for an output folder that cannot be used or holds later frames of a longer
 /// animation, what studies::snapshots_of() and the method throw, ToolMissing without gnuplot,
-/// and std::runtime_error if it fails (motion.csv is in place by then).
+/// data::OutputError for a film that cannot be written, and std::runtime_error if it fails (motion.csv is in the folder by
+/// then).
 void write_animation(const data::Case& problem, const AnimationOptions& options);
 
 }  // namespace stickslip::report

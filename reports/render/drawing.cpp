@@ -23,7 +23,10 @@ namespace {
 void require_success(int status, const fs::path& drawing, const fs::path& log) {
   std::error_code error;
   const bool drawn = fs::exists(drawing, error) && fs::file_size(drawing, error) > 0;
-  const std::string words = data::read_text(log);
+  std::string words = data::read_text(log);
+  // What it says of every film.
+  if (words.ends_with(" frames in animation sequence\n") && std::ranges::count(words, '\n') == 1)
+    words.clear();
   if (status == 0 && drawn && words.empty()) return;
   throw std::runtime_error(
       fmt::format("gnuplot could not draw {}: {}", drawing.filename().string(),
@@ -79,7 +82,7 @@ std::vector<fs::path> draw_in_scratch(const std::string& script, const Look& loo
 
 std::string drawing_of(const std::string& script, const Look& look,
                        const std::map<std::string, std::string>& tables) {
-  const TemporaryFolder folder;
+  const data::TemporaryFolder folder;
   OutputFolder output(folder.path());
   for (const auto& [name, text] : tables) output.write(name, text);
   return data::read_text(

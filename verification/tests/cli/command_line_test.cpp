@@ -369,8 +369,8 @@ TEST_F(Animation, DrawsTheMotionThatItsTableHolds) {
     ASSERT_EQ(run(command("--duration 0.08 --frames 9 --method " + method)).status, 0);
     EXPECT_EQ(contents("film/frame-0009.png"), contents("film/motion.csv"));
     const auto rows = csv(contents("film/motion.csv"));
-    ASSERT_EQ(rows.size(), 3U + 9U * 81U);
-    EXPECT_EQ(rows[2], (std::vector<std::string>{"frame", "time_s", "tip_sticks", "friction_force_N",
+    ASSERT_EQ(rows.size(), 1U + 9U * 81U);
+    EXPECT_EQ(rows[0], (std::vector<std::string>{"frame", "time_s", "tip_sticks", "friction_force_N",
                                                  "position_m", "displacement_m"}));
     // The tip in the last frame, as `respond` has it.
     const auto history =
@@ -392,6 +392,23 @@ TEST_F(Animation, ShowsNoFrameUnlessAllAreDrawn) {
   EXPECT_EQ(outcome.status, 1);
   EXPECT_TRUE(holds(outcome.errors, "out of paint"));
   EXPECT_EQ(frames(), (std::vector<std::string>{"motion.csv"}));
+}
+
+TEST_F(Animation, IsOneFilmWhereItsNameEndsInGif) {
+  install_gnuplot(
+      "case $3 in\nfilm.gp) cat frame-*.png > \"$output\"; echo 55 frames in animation sequence >&2;;\n*)\n" +
+      std::string(draw_all) + ";;\nesac\n");
+  const std::string options = "animate --hz 25 --amplitude 1e-3 --duration 0.11 --frames 55 --output film.";
+  const Outcome outcome = run(options + "gif");
+  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  EXPECT_TRUE(holds(outcome.output, "\n55 frames written to film.gif\n"));
+  // A frame is what its batch of fifty was drawn from: the first frame of the second one has number 51.
+  const auto rows = csv(contents("film.gif"));
+  EXPECT_EQ(rows.front().front(), "frame");
+  EXPECT_EQ(rows.size(), 50U * (1U + 50U * 81U) + 5U * (1U + 5U * 81U));
+  EXPECT_EQ(rows.back().front(), "55");
+  EXPECT_EQ(files().size(), 4U);  // with stdout, stderr and tools
+  expect_refused(options + "mp4", "--output is film.mp4, but must be a folder or a .gif file");
 }
 
 TEST_F(Animation, RefusesWhatCannotBecomeAFilm) {
@@ -417,10 +434,10 @@ TEST_F(MapCommand, HoldsWhatCriterionSaysOfEveryCell) {
   const auto answer = json(command("--x length=0.8:2.8:3 --y force=200:800:2:log --hz 20"));
   EXPECT_EQ(answer["cells"], 6);
   const auto rows = csv(contents("map.csv"));
-  ASSERT_EQ(rows.size(), 3u + 2u * 4u);  // two comments, the names, and an empty line after each force
-  EXPECT_EQ(rows[2], (std::vector<std::string>{"length_m", "axial_force_N", "force_ratio", "state"}));
+  ASSERT_EQ(rows.size(), 1u + 2u * 4u);  // the names, and an empty line after each force
+  EXPECT_EQ(rows[0], (std::vector<std::string>{"length_m", "axial_force_N", "force_ratio", "state"}));
   int buckled = 0;
-  for (std::size_t i = 3; i < rows.size(); ++i) {
+  for (std::size_t i = 1; i < rows.size(); ++i) {
     if (rows[i].empty()) continue;
     const std::string place = "--set excitation.duration=0.5 --hz 20 --set beam.length=" + rows[i][0] +
                               " --set beam.axial_force=" + rows[i][1];

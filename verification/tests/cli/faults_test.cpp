@@ -80,7 +80,7 @@ TEST_F(Fault, PipeThatClosesEndsTheProgramWithoutAWord) {
   const Outcome outcome = shell("{ '" STICKSLIP_PROGRAM "' " + history + "; echo $? >status; } | head -n 1");
   EXPECT_EQ(contents("status"), "141\n");
   EXPECT_EQ(outcome.errors, "");
-  EXPECT_TRUE(outcome.output.starts_with("time_s,")) << outcome.output;
+  EXPECT_TRUE(outcome.output.starts_with("# Motion of the tip")) << outcome.output;
 }
 
 TEST_F(Fault, ProgramThatIsMissingCostsWhatItDrawsAlone) {

@@ -7,7 +7,6 @@
 #include "render/report.hpp"
 #include "stickslip/data/atomic_file.hpp"
 #include "stickslip/data/case_file.hpp"
-#include "support/input_folder.hpp"
 #include "support/testing.hpp"
 
 namespace stickslip {
@@ -17,7 +16,7 @@ namespace fs = std::filesystem;
 
 class ReportOutput : public ::testing::Test {
  protected:
-  const testing::TemporaryFolder temporary_;
+  const data::TemporaryFolder temporary_;
   const fs::path folder_ = temporary_.path() / "output";
 };
 
@@ -146,7 +145,7 @@ STICKSLIP_VERIFIES(ReportFigures, "U3");
 TEST(ReportFigures, HaveAScriptEach) {
   for (const std::string& name : report::figure_names())
     EXPECT_TRUE(fs::exists(report::templates_directory() / "figures" / (name + ".gp"))) << name;
-  for (const std::string script : {"animation.gp", "map.gp", "sweep.gp"})
+  for (const std::string script : {"animation.gp", "film.gp", "map.gp", "sweep.gp", "uncertainty.gp"})
     EXPECT_TRUE(fs::exists(report::templates_directory() / "figures" / script)) << script;
 }
 

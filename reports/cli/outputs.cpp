@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: MIT
+#include "outputs.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <stdexcept>
+#include <utility>
+
+#include "case_options.hpp"
+#include "render/external_tool.hpp"
+#include "render/report.hpp"
+#include "stickslip/data/input_error.hpp"
+#include "stickslip/data/input_text.hpp"
+#include "stickslip/version.hpp"
+
+namespace stickslip::cli {
+
+namespace {
+
+bool has_flag(const CLI::App& command, const std::string& name) {
+  const CLI::Option* const option = command.get_option_no_throw(name);
+  return option != nullptr && option->get_items_expected_max() == 0 && option->count() > 0;
+}
+
+// The value of an option that is given.
+std::optional<std::string> text_of(const CLI::App& command, const std::string& name) {
+  const CLI::Option* const option = command.get_option_no_throw(name);
+  if (option == nullptr || option->count() == 0) return std::nullopt;
+  return option->results().back();
+}
+
+// "pdf", "png" or "svg", by the name of the file. Throws data::InputError for another one.
+std::string figure_format(const std::string& figure) {
+  const std::string extension = std::filesystem::path(figure).extension().string();
+  if (extension == ".pdf" || extension == ".png" || extension == ".svg") return extension.substr(1);
+  throw data::FieldError("--figure", fmt::format("'{}'", data::printable(figure)),
+                         "a file whose name ends in .pdf, .png or .svg");
+}
+
+// Throws data::InputError if two options cannot both have their file.
+void require_compatible(const std::vector<Outputs::Named>& files, bool is_json) {
+  for (auto file = files.begin(); file != files.end(); ++file) {
+    const auto& [option, path] = *file;
+    if (is_json && path == "-")
+      throw data::InputError(
+          fmt::format("--json and {0} - both want standard output, but --json needs {0} FILE", option));
+    const auto other = std::ranges::find(files.begin(), file, path, &Outputs::Named::path);
+    if (!path.empty() && other != file)
+      throw data::FieldError(option, data::printable(path), "another file than " + other->option);
+  }
+}
+
+}  // namespace
+
+std::optional<std::pair<double, double>> size_in(const std::string& text) {
+  constexpr double least = 4.0, most = 100.0;
+  const std::size_t cross = text.find('x');
+  if (cross == std::string::npos) return std::nullopt;
+  const auto width = parse<double>(text.substr(0, cross)), height = parse<double>(text.substr(cross + 1));
+  if (!width || !height || !(std::min(*width, *height) >= least && std::max(*width, *height) <= most))
+    return std::nullopt;
+  return std::pair(*width, *height);
+}
+
+std::string program() { return fmt::format("stickslip {} (commit {})", version, commit); }
+
+std::string command_line() {
+  std::string words = data::read_text("/proc/self/cmdline");
+  if (!words.empty()) words.pop_back();
+  std::ranges::replace(words, '\0', ' ');
+  return words;
+}
+
+Outputs::Outputs(const CLI::App& command)
+    : command_(command.get_name()),
+      is_json_(has_flag(command, "--json")),
+      head_{{"program", program()}, {"command", command_line()}} {
+  for (const CLI::App* app = &command; app != nullptr; app = app->get_parent())
+    is_quiet_ = is_quiet_ || has_flag(*app, "--quiet");
+  look_.title = text_of(command, "--title").value_or("");
+  if (const auto size = text_of(command, "--size")) look_.size_cm = size_in(*size);
+}
+
+void Outputs::about(const data::Case& problem) {
+  beam_ = beam_line(problem);
+  head_.update({{"case", problem.name}, {"problem", problem_json(problem)}});
+}
+
+void Outputs::open(const std::vector<Named>& files) {
+  require_compatible(files, is_json_);
+  for (const Named& name : files) {
+    if (name.path.empty()) continue;
+    if (name.option == "--figure") {
+      look_.format = figure_format(name.path);
+      (void)report::templates_directory();  // throws now rather than after the work
+      report::require_tool("gnuplot");
+    }
+    files_.emplace_back(name);
+  }
+  interruption_.emplace([this] { return last_words(); });
+}
+
+void Outputs::on_interrupt(std::function<std::string()> sentence) {
+  std::unique_lock<std::mutex> undisturbed;
+  if (interruption_) undisturbed = hold();
+  sentence_ = std::move(sentence);
+}
+
+report::Progress& Outputs::progress(std::string_view part, std::size_t items) {
+  std::unique_lock<std::mutex> undisturbed;
+  if (interruption_) undisturbed = hold();
+  const bool shares_terminal = takes_standard_output() && ::isatty(STDOUT_FILENO) == 1;
+  return progress_.emplace(fmt::format("stickslip {}{}", command_, part),
+                           report::Progress::standard_error(is_quiet_ || shares_terminal), items);
+}
+
+Outputs::Open* Outputs::find(std::string_view option) {
+  const auto found = std::ranges::find(files_, option, [](const Open& open) { return open.name.option; });
+  return found == files_.end() ? nullptr : &*found;
+}
+
+data::AtomicFile& Outputs::file(std::string_view option) {
+  if (Open* const open = find(option); open != nullptr) return open->file;
+  throw std::logic_error(fmt::format("{} names no file", option));
+}
+
+void Outputs::commit(std::string_view option) {
+  const auto undisturbed = hold();
+  file(option).commit();
+  find(option)->is_written = true;
+}
+
+std::string Outputs::heading(std::string_view title) const {
+  return fmt::format("# {}; {}, {}{}\n", title, program(), command_,
+                     head_.contains("problem") ? ", " + head_["problem"].dump() : "");
+}
+
+void Outputs::write(std::string_view option, const std::function<std::string()>& text) {
+  Open* const open = find(option);
+  if (open == nullptr) return;
+  if (progress_ && open->name.path == "-") progress_->finish();
+  const auto undisturbed = hold();
+  std::string whole = text();
+  if (const auto end = whole.find('\n'); whole.starts_with("# ") && whole[2] != '{')
+    whole.replace(0, end + 1, heading(whole.substr(2, end - 2)));
+  open->file.write(whole);
+  open->file.commit();
+  open->is_written = true;
+}
+
+void Outputs::write_json(const Json& answer) {
+  Json whole = head_;
+  whole.update(answer);
+  write("--json", [&] { return whole.dump(2) + "\n"; });
+}
+
+void Outputs::draw(const std::string& title, const std::function<std::string(const report::Look&)>& drawing) {
+  if (look_.title.empty()) look_.title = title;
+  write("--figure", [&] {
+    if (progress_) progress_->stage("drawing " + find("--figure")->name.path);
+    try {
+      return drawing(look_);
+    } catch (const std::runtime_error& error) {
+      const std::string paths = written();
+      if (paths.empty()) throw;
+      throw std::runtime_error(fmt::format("{}; the rest is in {}", error.what(), paths));
+    }
+  });
+}
+
+std::string Outputs::written() const {
+  std::vector<std::string> paths;
+  for (const Open& open : files_)
+    if (open.is_written) paths.push_back(open.name.path == "-" ? "standard output" : open.name.path);
+  return fmt::format("{}", fmt::join(paths, " and "));
+}
+
+bool Outputs::takes_standard_output() const {
+  return std::ranges::any_of(files_, [](const Open& open) { return open.name.path == "-"; });
+}
+
+std::string Outputs::last_words() {
+  if (progress_) progress_->finish();
+  for (const Open& open : files_) open.file.discard();
+  if (const std::string paths = written(); !paths.empty())
+    return fmt::format("interrupted; nothing is written but {}", paths);
+  if (sentence_) return sentence_();
+  return progress_ ? fmt::format("interrupted after {:.0f} % of the work; nothing is kept",
+                                 100.0 * progress_->share())
+                   : "interrupted before there was a result";
+}
+
+void Outputs::print(Answer answer) {
+  if (progress_) progress_->finish();
+  if (answer.warnings) {
+    for (const std::string& warning : *answer.warnings)
+      fmt::print(stderr, "stickslip: warning: {}\n", warning);
+    answer.add_members({{"warnings", *answer.warnings}});
+  }
+  head_.update(answer.json);
+  if (is_json_)
+    print_json(head_);
+  else if (!takes_standard_output())
+    fmt::print("{}{}", beam_, answer.text);
+}
+
+}  // namespace stickslip::cli
