@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <initializer_list>
 #include <limits>
@@ -15,6 +16,7 @@
 #include "comparison/groups.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
+#include "studies/common/parallel.hpp"
 #include "studies/common/problem_parameter.hpp"
 
 namespace stickslip::comparison {
@@ -537,6 +539,67 @@ class Search {
     return result;
   }
 
+  // One number of the problem times a factor that is fitted: tried in steps of a quarter at most between a half and twice,
+  // then by the golden section where one of them is a fifth nearer than the reference.
+  [[nodiscard]] static std::optional<Hypothesis> wrong_number(const data::Case& problem, Quantity quantity,
+                                                              const Observed& seen) {
+    constexpr std::array<std::string_view, 10> keys{"friction.static_coefficient",
+                                                    "friction.kinetic_coefficient",
+                                                    "friction.decay",
+                                                    "damping.kelvin_voigt",
+                                                    "excitation.amplitude",
+                                                    "excitation.frequency_hz",
+                                                    "beam.youngs_modulus",
+                                                    "beam.density",
+                                                    "beam.axial_force",
+                                                    "beam.length"};
+    constexpr std::array factors{0.5, 0.63, 0.8, 0.9, 0.96, 1.04, 1.1, 1.25, 1.6, 2.0};
+    constexpr double worth_fitting = 0.8, golden = 0.6180339887498949;
+    constexpr int halvings = 16;
+    ComparedValues values;
+    values.norm = quantity == Quantity::contact_event ? data::Norm::relative : data::Norm::scale;
+    values.abscissa = seen.abscissa;
+    values.theirs = seen.values;
+    values.reference = seen.truth;
+    const double whole = distance(values.norm, seen.truth, seen.values, seen.truth);
+    const auto right = result_with(problem, keys.front(), 1.0, quantity, seen.abscissa);
+    std::array<Hypothesis, keys.size()> found;
+    studies::in_parallel(keys.size(), [&](std::size_t i) {
+      const double value = data::value_of(problem, keys.at(i));
+      Hypothesis& best = found.at(i);
+      best.distance = std::numeric_limits<double>::infinity();
+      const auto distance_at = [&](double factor) {
+        const auto wrong = result_with(problem, keys.at(i), factor, quantity, seen.abscissa);
+        if (!wrong) return std::numeric_limits<double>::infinity();
+        ModelResults one{
+            .norm = values.norm, .reference = *right, .reference_uncertainty = {}, .wrong_models = {}};
+        one.wrong_models.push_back({.name = "wrong-number", .values = *wrong, .free = 1});
+        Hypothesis here = relative_to_data(std::move(one), seen.truth).wrong_models.front();
+        here.distance = distance(values.norm, seen.truth, seen.values, here.values);
+        here.sentence = fmt::format("like {} = {:.3g} instead of {:.6g}", keys.at(i), factor * value, value);
+        if (here.distance < best.distance) best = here;
+        return here.distance;
+      };
+      if (value == 0.0) return;
+      std::size_t nearest = 0;
+      double least = std::numeric_limits<double>::infinity();
+      for (std::size_t k = 0; k < factors.size(); ++k)
+        if (const double here = distance_at(factors.at(k)); here < least) least = here, nearest = k;
+      if (!(least < worth_fitting * whole)) return;
+      double from = factors.at(nearest == 0 ? 0 : nearest - 1),
+             to = factors.at(std::min(nearest + 1, factors.size() - 1));
+      for (int n = 0; n < halvings; ++n) {
+        const double low = to - golden * (to - from), high = from + golden * (to - from);
+        if (distance_at(low) < distance_at(high))
+          to = high;
+        else
+          from = low;
+      }
+    });
+    const Hypothesis& nearest = *std::ranges::min_element(found, {}, &Hypothesis::distance);
+    return nearest.values.empty() ? std::nullopt : accepted(values, nearest, static_cast<int>(keys.size()));
+  }
+
   static std::string up_to(double time) {
     return std::isfinite(time) ? fmt::format(" up to {:g} s", time) : "";
   }
@@ -555,6 +618,9 @@ class Search {
                                         : model_results(seen.cases, *quantity, seen.abscissa, progress_);
       Diagnosis found =
           comparison::diagnose(relative_to_data(computed, seen.truth), seen.values, seen.uncertainty);
+      if (found.finding == Finding::unexplained && seen.cases.empty())
+        if (const auto number = wrong_number(*problem, *quantity, seen))
+          return diagnosis_of(question, *number);
       if (found.finding == Finding::correct)
         found.sentence =
             fmt::format("no diagnosis: the difference of {}{} is too small to be assigned to a mistake",

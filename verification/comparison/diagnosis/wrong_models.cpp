@@ -425,6 +425,16 @@ std::optional<std::vector<double>> wrong_result(const data::Case& problem, std::
   return wrong_values(recipe_of(wrong_model), problem, quantity, abscissa);
 }
 
+std::optional<std::vector<double>> result_with(const data::Case& problem, std::string_view key, double factor,
+                                               Quantity quantity, const std::vector<double>& abscissa) {
+  try {
+    return values_of(right_model(), data::with_value(problem, key, factor * data::value_of(problem, key)),
+                     quantity, abscissa);
+  } catch (const data::InputError&) {
+    return std::nullopt;
+  }
+}
+
 ModelResults model_results(const data::Case& problem, Quantity quantity, const std::vector<double>& abscissa,
                            const std::function<void(double)>& progress) {
   ModelResults result{.norm = norm_of(quantity),

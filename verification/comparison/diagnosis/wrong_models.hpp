@@ -77,6 +77,12 @@ STICKSLIP_MEMBERS(WrongModel, (name, "-"), (mistake, "-"), (place, "-"))
 [[nodiscard]] std::vector<double> reference_result(const data::Case& problem, Quantity quantity,
                                                    const std::vector<double>& abscissa);
 
+/// The right result of the case with this number multiplied by a factor; empty if there is no such state. Throws what
+/// data::with_value() throws for a key that the case does not have.
+[[nodiscard]] std::optional<std::vector<double>> result_with(const data::Case& problem, std::string_view key,
+                                                             double factor, Quantity quantity,
+                                                             const std::vector<double>& abscissa);
+
 /// The results of the right model and of all wrong models. The uncertainty of the reference is 1e-9 in closed form; in
 /// stick-slip it is the distance from a run with twice the time step and half the elements, which is at least three
 /// times the error of time step (order 2) and mesh (order 4). Throws what reference_result() throws, and

@@ -14,6 +14,7 @@
 #include "stickslip/solver/beam_simulation.hpp"
 #include "studies/common/discretisation.hpp"
 #include "studies/common/problem_parameter.hpp"
+#include "studies/history/method.hpp"
 #include "support/testing.hpp"
 
 namespace stickslip::testing {
@@ -767,6 +768,32 @@ TEST(DiagnosisOfModels, IsTheMistakeInADampedHistory) {
   for (const char* mistake : {"cosine-for-sine", "spectral-radius-zero"})
     EXPECT_TRUE(looks(mistaken("stick-slip-history", with_the_settings_of_the_paper("damped"), mistake, 5),
                       fmt::format("like '{}'", mistake)));
+}
+
+// A history by the event-driven modes, of which the diagnosis knows nothing, with one number of the problem multiplied.
+TEST(DiagnosisOfModels, IsTheNumberThatIsWrongInAHistory) {
+  for (const auto& [key, factor] : {std::pair{"friction.static_coefficient", 0.9},
+                                    {"friction.static_coefficient", 1.3},
+                                    {"friction.kinetic_coefficient", 0.7},
+                                    {"friction.decay", 2.0},
+                                    {"damping.kelvin_voigt", 2.0},
+                                    {"excitation.amplitude", 1.07},
+                                    {"excitation.frequency_hz", 1.01},
+                                    {"beam.youngs_modulus", 1.05},
+                                    {"beam.length", 0.98}}) {
+    File file("stick-slip-history", "tip_displacement");
+    file.keep([&](std::size_t row) { return file["time"][row] <= 0.2; });
+    data::Case problem = data::load_case("damped");
+    const double value = factor * data::value_of(problem, key);
+    problem = data::with_value(problem, key, value);
+    const auto history =
+        studies::method("event-driven").run(problem, {.times = file["time"], .with_midspan = false}, {}, {});
+    for (std::size_t i = 0; i < history.rows.size(); ++i) file.values()[i] = history.rows[i].tip_displacement;
+    const std::string text = file.told(), like = fmt::format("like {} = ", key);
+    ASSERT_TRUE(contains(text, like)) << key << ": " << text;
+    const double fitted = std::stod(text.substr(text.find(like) + like.size()));
+    EXPECT_NEAR(fitted / value, 1.0, 0.03) << text;
+  }
 }
 
 TEST(DiagnosisOfModels, IsTheMistakeInAnUndampedHistory) {
