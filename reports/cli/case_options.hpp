@@ -17,6 +17,7 @@
 #include "stickslip/data/case_file.hpp"
 #include "studies/analyses/criterion_answer.hpp"
 #include "studies/analyses/problem_warnings.hpp"
+#include "studies/analyses/squeal.hpp"
 #include "studies/common/problem_parameter.hpp"
 
 namespace stickslip::cli {
@@ -91,5 +92,8 @@ void require_no_fixed_value(const CaseOptions& options, std::string_view varied,
 
 /// All numbers of the case in SI units, those of default_numerics() among them, by tables and keys; null for one that is infinite.
 [[nodiscard]] Json problem_json(const data::Case& problem);
+
+/// Adds a periodic motion, or the reason why there is none; its members stand in an object with the key, if there is one.
+void add_cycle(Answer& answer, const studies::Cycle& cycle, const std::string& key = "");
 
 }  // namespace stickslip::cli

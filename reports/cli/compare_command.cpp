@@ -13,12 +13,11 @@
 #include "commands.hpp"
 #include "comparison/diagnosis/diagnosis.hpp"
 #include "comparison_output.hpp"
-#include "exit_status.hpp"
+#include "program.hpp"
 #include "range_text.hpp"
 #include "render/criterion_map.hpp"
 #include "stickslip/data/csv_text.hpp"
 #include "stickslip/data/input_text.hpp"
-#include "validation_output.hpp"
 
 namespace stickslip::cli {
 

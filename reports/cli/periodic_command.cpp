@@ -9,7 +9,6 @@
 #include "case_options.hpp"
 #include "command.hpp"
 #include "commands.hpp"
-#include "periodic_output.hpp"
 #include "stickslip/data/input_text.hpp"
 
 namespace stickslip::cli {

@@ -12,7 +12,6 @@
 #include "case_options.hpp"
 #include "command.hpp"
 #include "commands.hpp"
-#include "periodic_output.hpp"
 #include "range_text.hpp"
 #include "render/csv_table.hpp"
 #include "render/drawing.hpp"

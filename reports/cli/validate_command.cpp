@@ -6,9 +6,9 @@
 
 #include "case_options.hpp"
 #include "commands.hpp"
-#include "exit_status.hpp"
+#include "comparison_output.hpp"
+#include "program.hpp"
 #include "render/studies.hpp"
-#include "validation_output.hpp"
 
 namespace stickslip::cli {
 

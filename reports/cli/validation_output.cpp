@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "validation_output.hpp"
+#include "comparison_output.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <functional>
 
 #include "case_options.hpp"
-#include "exit_status.hpp"
+#include "program.hpp"
 #include "range_text.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "studies/analyses/measured_case.hpp"

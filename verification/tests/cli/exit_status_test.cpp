@@ -3,8 +3,8 @@
 
 #include <new>
 
-#include "exit_status.hpp"
 #include "map_part.hpp"
+#include "program.hpp"
 #include "stickslip/data/atomic_file.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "support/testing.hpp"
