@@ -181,7 +181,7 @@ Answer table_of_cases(const CriterionOptions& options, Outputs& outputs) {
       progress(static_cast<double>(table.rows.size()) / static_cast<double>(cases.size() * points.size()));
     }
   answer.add_table("cases", table);
-  outputs.write("--output", [&] { return "# Criterion with all modes\n" + table.csv(); });
+  outputs.write_table("--output", [&] { return "# Criterion with all modes\n" + table.csv(); });
   return answer;
 }
 

@@ -130,14 +130,14 @@ void HistoryOutput::add(const studies::HistoryRow& row, long step) {
 
 void HistoryOutput::finish(const studies::History& history) {
   outputs_.commit("--output");
-  outputs_.write("--events", [&] {
+  outputs_.write_table("--events", [&] {
     std::string text = "# Changes of contact\ntime_s,change,tip_displacement_m\n";
     for (const data::ContactEvent& event : history.events)
       text += fmt::format("{},{},{}\n", data::shortest_text(event.time), data::to_string(event.change),
                           data::shortest_text(event.position));
     return text;
   });
-  outputs_.write("--spectrum", [&] { return spectrum_text(); });
+  outputs_.write_table("--spectrum", [&] { return spectrum_text(); });
   outputs_.draw(problem_.name, [&](const report::Look& look) {
     const auto values = report::values_table({{"limit", studies::friction_limit(problem_), "N"}});
     return report::drawing_of("history", look,

@@ -86,7 +86,7 @@ Answer finish(const studies::MapTask& task, const studies::MapEvaluations& evalu
               Outputs& outputs, UnfinishedMap* unfinished = nullptr) {
   const studies::CriterionMap map = studies::criterion_map(task, evaluations);
   const report::CsvTable table = report::table_of(task.problem, map);
-  outputs.write("--output", [&] { return table.text(); });
+  outputs.write_table("--output", [&] { return table.text(); });
   if (unfinished != nullptr) unfinished->remove();
   outputs.draw(task.problem.name, [&](const report::Look& look) { return report::draw(table, map, look); });
   return answer_of(task, map, files);

@@ -144,12 +144,17 @@ void Outputs::write(std::string_view option, const std::function<std::string()>&
   if (open == nullptr) return;
   if (progress_ && open->name.path == "-") progress_->finish();
   const auto undisturbed = hold();
-  std::string whole = text();
-  if (const auto end = whole.find('\n'); whole.starts_with("# ") && whole[2] != '{')
-    whole.replace(0, end + 1, heading(whole.substr(2, end - 2)));
-  open->file.write(whole);
+  open->file.write(text());
   open->file.commit();
   open->is_written = true;
+}
+
+void Outputs::write_table(std::string_view option, const std::function<std::string()>& text) {
+  write(option, [&] {
+    const std::string whole = text();
+    const auto end = whole.find('\n');
+    return heading(whole.substr(2, end - 2)) + whole.substr(end + 1);
+  });
 }
 
 void Outputs::write_json(const Json& answer) {

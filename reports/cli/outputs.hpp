@@ -64,9 +64,11 @@ class Outputs {
   /// The comment line that begins a table: its title, program and subcommand, and the numbers of the case if there is one.
   [[nodiscard]] std::string heading(std::string_view title) const;
 
-  /// Writes the whole file of an option and puts it in place; without the option `text` is not called. The title of a table, a
-  /// comment line, becomes its heading.
+  /// Writes the whole file of an option and puts it in place; without the option `text` is not called.
   void write(std::string_view option, const std::function<std::string()>& text);
+
+  /// The same for a table that begins with its title, "# TITLE", in place of which the file has heading(TITLE).
+  void write_table(std::string_view option, const std::function<std::string()>& text);
 
   /// The same for --json FILE, with program, command and the case before the members of the answer.
   void write_json(const Json& answer);

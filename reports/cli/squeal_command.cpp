@@ -158,7 +158,7 @@ Answer steady_sliding(const SquealOptions& options, Outputs& outputs) {
   add_warning(answer, studies::deflection_warning(problem.beam, squeal.tip_displacement));
   require_finite(answer.json);
   const std::string map = options.map.empty() ? "" : map_text(problem, speeds, ratios, progress);
-  outputs.write("--map", [&] { return map; });
+  outputs.write_table("--map", [&] { return map; });
   outputs.draw(problem.name, [&](const report::Look& look) {
     return report::drawing_of("squeal", look, {{"squeal.csv", map}});
   });

@@ -108,7 +108,7 @@ Answer sweep(const SweepOptions& options, Outputs& outputs) {
   report::Progress& progress = outputs.progress();
   const auto points = studies::parameter_sweep(task, [&](double share) { progress(share); });
   const report::CsvTable table = table_of(task, points);
-  outputs.write("--output", [&] { return table.text(); });
+  outputs.write_table("--output", [&] { return table.text(); });
   outputs.draw(task.problem.name, [&](const report::Look& look) { return drawn(table, task, look); });
   return answer_of(task, points, options);
 }

@@ -73,7 +73,7 @@ Answer validated(const ValidateOptions& options, Outputs& outputs) {
   require_finite(answer.json);
   outputs.write("--readings", [&] { return readings_of(figures); });
   outputs.write("--predictions", predictions_now);
-  outputs.write("--output", [&] { return report::comparison_table(comparisons).text(); });
+  outputs.write_table("--output", [&] { return report::comparison_table(comparisons).text(); });
   outputs.draw("", [&](const report::Look& look) {
     return report::drawing_of("validation", look,
                               {{"validation.csv", report::comparison_table(comparisons).text()}});
