@@ -151,7 +151,8 @@ class NumbersReader {
     while (collect([&] {
       (void)Beam(numbers_.beam), (void)FrictionLaw(numbers_.friction),
           (void)HarmonicExcitation(numbers_.excitation);
-      (void)Damping(numbers_.damping), (void)TangentialContact(numbers_.contact), (void)Wall(numbers_.wall);
+      (void)Damping(numbers_.damping), (void)TangentialContact(numbers_.contact),
+          (void)Wall(numbers_.wall_speed);
     })) {
     }
     if (!mistakes_.any())

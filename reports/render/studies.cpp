@@ -678,12 +678,8 @@ CsvTable benchmark_events(const std::vector<studies::DampedBenchmark>& benchmark
     const auto add = [&](int number, const studies::BenchmarkRun& run, std::size_t i,
                          const studies::EventDifference& difference) {
       const auto& event = benchmark.events[i];
-      events.add(benchmark.frequency_hz)
-          .add(number)
-          .add(CsvText(run.method))
-          .add(run.size)
-          .add(run.time_step);
-      events.add(event.time).add(CsvText(data::to_string(event.change))).add(event.position);
+      events.add(benchmark.frequency_hz).add(number).add(run.method).add(run.size).add(run.time_step);
+      events.add(event.time).add(data::to_string(event.change)).add(event.position);
       events.add(difference.time).add(difference.position).end_row();
     };
     studies::BenchmarkRun reference;
@@ -734,7 +730,7 @@ FigureData practice(Results& r) {
     runs.insert(runs.begin(), {.method = "converged", .tip_displacement = converged.tip});
     for (std::size_t k = 0; k < runs.size(); ++k)
       for (std::size_t n = 0; n < converged.time.size(); ++n) {
-        table.add(converged.frequency_hz).add(static_cast<double>(k)).add(CsvText(runs[k].method));
+        table.add(converged.frequency_hz).add(static_cast<double>(k)).add(runs[k].method);
         table.add(runs[k].elements).add(runs[k].time_step).add(runs[k].spectral_radius);
         table.add(100.0 * runs[k].error).add(converged.time[n]).add(runs[k].tip_displacement[n]);
         table.end_row();
@@ -769,7 +765,7 @@ FigureData figure10(Results& r) {
                   {{"letter", "-"}, {"frequency_Hz", "Hz"}, {"amplitude_m", "m"}, {"force_max_N", "N"}});
   const char* letter = "ACBD";
   for (const auto& force : r(force_maxima)) {
-    points.add(CsvText(std::string_view(letter++, 1))).add(force.frequency_hz).add(force.amplitude);
+    points.add(std::string_view(letter++, 1)).add(force.frequency_hz).add(force.amplitude);
     points.add(force.truncated.midpoint()).end_row();
   }
   data.tables.push_back({"fig10-points", std::move(points)});
@@ -835,10 +831,7 @@ FigureData scoreboard(Results& /*r*/) {
   for (std::size_t j = 0; j < codes.size(); ++j)
     for (std::size_t i = 0; i < problems.size(); ++i) {
       const auto found = ratios.find({codes[j], problems[i]});
-      table.add(CsvText(codes[j]))
-          .add(CsvText(problems[i]))
-          .add(static_cast<double>(i))
-          .add(static_cast<double>(j));
+      table.add(codes[j]).add(problems[i]).add(static_cast<double>(i)).add(static_cast<double>(j));
       const bool ran = found != ratios.end() && !found->second.empty();
       table.add(found != ratios.end() && !ran ? 1.0 : 0.0);
       table.add(ran ? std::optional(found->second.front()) : std::nullopt);
