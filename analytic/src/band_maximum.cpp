@@ -52,6 +52,14 @@ void BandMaximum::divide(const FrequencyBand& band, const std::vector<double>& n
   for (std::size_t i = 1; i < marks_.size(); ++i) add(marks_[i - 1], marks_[i]);
 }
 
+// A frequency, and what is known of the largest |f| there.
+struct BandMaximum::Decided {
+  double omega{};                     // rad/s
+  std::optional<ForceMaximum> force;  // nothing where `known` is all there is to know
+  Bounds known{0.0, std::numeric_limits<double>::infinity()};
+  [[nodiscard]] bool exceeds(double limit);
+};
+
 BandMaximum::Decided BandMaximum::force_at(double omega, double damped_width) const {
   if (!damped_) return {.omega = omega, .force = ForceMaximum(reaction_, omega, duration_)};
   const DampedForce force(*damped_, omega, duration_ * marks_.back() / omega);

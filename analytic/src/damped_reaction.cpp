@@ -15,7 +15,6 @@
 #include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/analytic/contact_dynamics.hpp"
 #include "stickslip/analytic/force_maximum.hpp"
-#include "stickslip/analytic/stick_propagator.hpp"
 #include "stickslip/analytic/timoshenko_modes.hpp"
 
 namespace stickslip::analytic {
@@ -78,7 +77,7 @@ DampedReaction compliant_reaction(const data::Beam& beam, const data::Damping& d
                              "so large that the beam on its contact spring neither buckles nor flutters");
     const Complex weight = tangential_stiffness / scale * shape[m * eigenvalue.size() + k];
     const Complex* to_coordinate = &inverse[k * 2 * size + size];
-    DampedReaction::Share share;
+    ModalShare share;
     share.eigenvalue = scale * Complex(std::min(eigenvalue[k].real(), 0.0), eigenvalue[k].imag());
     share.start = -(1.0 - held) * weight * to_coordinate[m];
     for (std::size_t n = 0; n < size; ++n) {

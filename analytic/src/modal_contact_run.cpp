@@ -209,6 +209,10 @@ double ModalContactRun::falling_force(double speed) {
   return known_force_ = falling_ * std::exp(-decay_ * speed);
 }
 
+struct ModalContactRun::Slip {
+  double speed{}, force{};
+};
+
 // The V with V + W N μ((V + V_0)/2) = P, by Newton's method on a convex, rising function, from an expected force.
 ModalContactRun::Slip ModalContactRun::slip(double free_speed, double speed_before, double expected_force) {
   constexpr int most_iterations = 50;

@@ -15,7 +15,7 @@ namespace {
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 constexpr int kMaximumIterations = 500;
 
-std::string located(const std::string& method, Interval interval) {
+std::string located(const std::string& method, Bounds interval) {
   return method + " between " + data::shortest_text(interval.lower) + " and " +
          data::shortest_text(interval.upper);
 }
@@ -27,7 +27,7 @@ std::string located(const std::string& method, Interval interval) {
 
 }  // namespace
 
-double brent_root(gsl_function function, Interval bracket, double relative_tolerance) {
+double brent_root(gsl_function function, Bounds bracket, double relative_tolerance) {
   const StatusInsteadOfAbort guard;
   const std::string where = located("Brent's root finder", bracket);
   const auto solver = owned(gsl_root_fsolver_alloc(gsl_root_fsolver_brent));
@@ -41,7 +41,7 @@ double brent_root(gsl_function function, Interval bracket, double relative_toler
   throw_not_converged(where);
 }
 
-double newton_polished_root(gsl_function_fdf function, Interval bracket) {
+double newton_polished_root(gsl_function_fdf function, Bounds bracket) {
   const gsl_function value_only{function.f, function.params};
   double root = brent_root(value_only, bracket, 1e-6);
 
@@ -65,7 +65,7 @@ double newton_polished_root(gsl_function_fdf function, Interval bracket) {
   throw_not_converged(where);
 }
 
-Minimum brent_minimum(gsl_function function, Interval interval, double guess) {
+double brent_minimum(gsl_function function, Bounds interval, double guess) {
   const StatusInsteadOfAbort guard;
   const std::string where = located("Brent's minimiser", interval);
   const auto solver = owned(gsl_min_fminimizer_alloc(gsl_min_fminimizer_brent));
@@ -77,7 +77,7 @@ Minimum brent_minimum(gsl_function function, Interval interval, double guess) {
     const double upper = gsl_min_fminimizer_x_upper(solver.get());
     // The method itself does not step closer than √(eps).
     if (upper - lower <= 8.0 * GSL_SQRT_DBL_EPSILON * std::abs(upper))
-      return {gsl_min_fminimizer_x_minimum(solver.get()), gsl_min_fminimizer_f_minimum(solver.get())};
+      return gsl_min_fminimizer_x_minimum(solver.get());
   }
   throw_not_converged(where);
 }

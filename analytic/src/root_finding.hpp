@@ -8,30 +8,20 @@
 
 #include <memory>
 
+#include "stickslip/analytic/force_maximum.hpp"
+
 namespace stickslip::analytic {
-
-/// A closed interval of the argument.
-struct Interval {
-  double lower{};
-  double upper{};
-};
-
-/// A minimum and where it is taken.
-struct Minimum {
-  double argument{};
-  double value{};
-};
 
 /// Root in a bracket whose ends have different signs, by Brent's method, until the bracket is shorter than
 /// relative_tolerance times the root.
-[[nodiscard]] double brent_root(gsl_function function, Interval bracket, double relative_tolerance);
+[[nodiscard]] double brent_root(gsl_function function, Bounds bracket, double relative_tolerance);
 
 /// Root by Brent's method to six digits, then by Newton's until its step is below round-off.
-[[nodiscard]] double newton_polished_root(gsl_function_fdf function, Interval bracket);
+[[nodiscard]] double newton_polished_root(gsl_function_fdf function, Bounds bracket);
 
-/// Minimum inside an interval by Brent's method; `guess` lies inside and has a smaller value than both ends.
-/// The argument is good to about the square root of round-off, hence the value to round-off.
-[[nodiscard]] Minimum brent_minimum(gsl_function function, Interval interval, double guess);
+/// Where the minimum inside an interval is taken, by Brent's method; `guess` lies inside and has a smaller value than both
+/// ends. The argument is good to about the square root of round-off, hence the value to round-off.
+[[nodiscard]] double brent_minimum(gsl_function function, Bounds interval, double guess);
 
 /// A callable double -> double as GSL sees it. The callable must outlive what is returned.
 template <class Callable>

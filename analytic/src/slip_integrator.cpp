@@ -48,6 +48,8 @@ class Quintic {
 
 }  // namespace
 
+enum class SlipIntegrator::Passage { clear, crossing, doubtful };
+
 SlipIntegrator::SlipIntegrator(const ContactDynamics& dynamics, double tolerance, double reference_velocity,
                                bool keep_energy_balance)
     : dynamics_(dynamics),

@@ -55,7 +55,7 @@ class SlipIntegrator {
     std::vector<double> rate;          // y_t
     std::array<double, 3> velocity{};  // direction times v_s, v_s_t, v_s_tt
   };
-  enum class Passage { clear, crossing, doubtful };
+  enum class Passage;
 
   static int right_side(double t, const double y[], double rate[], void* self);
   void evaluate(double t, const double* y, double* rate) const;

@@ -57,10 +57,8 @@ class PairCharacteristic {
     return characteristic(wave_numbers_from_smaller(smaller, load_.factor), load_);
   }
 
-  [[nodiscard]] Interval interval() const { return interval_; }
-
-  /// The least value in the interval: a scan finds its neighbourhood, Brent's method the rest.
-  [[nodiscard]] Minimum minimum() const {
+  /// Where the least value in the interval is: a scan finds its neighbourhood, Brent's method the rest.
+  [[nodiscard]] double minimum() const {
     constexpr int kSteps = 64;
     const auto node = [this](int i) {
       return interval_.lower + (interval_.upper - interval_.lower) * i / kSteps;
@@ -74,16 +72,16 @@ class PairCharacteristic {
   /// The two roots, or nothing if they have become complex or the first imaginary.
   [[nodiscard]] std::optional<std::pair<double, double>> roots() const {
     constexpr double kTolerance = 4.0 * std::numeric_limits<double>::epsilon();
-    const Minimum between = minimum();
-    if (between.value >= 0.0 || (*this)(interval_.lower) <= 0.0) return std::nullopt;
+    const double between = minimum();
+    if ((*this)(between) >= 0.0 || (*this)(interval_.lower) <= 0.0) return std::nullopt;
     const gsl_function function = as_gsl_function(*this);
-    return std::pair{brent_root(function, {interval_.lower, between.argument}, kTolerance),
-                     brent_root(function, {between.argument, interval_.upper}, kTolerance)};
+    return std::pair{brent_root(function, {interval_.lower, between}, kTolerance),
+                     brent_root(function, {between, interval_.upper}, kTolerance)};
   }
 
  private:
   Load load_;
-  Interval interval_;
+  Bounds interval_;
 };
 
 [[noreturn]] void throw_outside_range(const data::Beam& beam) {
@@ -107,7 +105,10 @@ bool buckles_in_slip(const data::Beam& beam) { return beam.axial_direction() >= 
 double slip_critical_load(const data::Beam& beam) {
   const double chi = beam.axial_direction(), unit = bending_stiffness(beam) / (beam.length() * beam.length());
   if (buckles_in_slip(beam)) return unit * std::pow(2.0 * std::acos(std::sqrt(1.0 - 0.5 / chi)), 2);
-  const auto least_value = [chi](double z) { return PairCharacteristic(1, {z, chi}).minimum().value; };
+  const auto least_value = [chi](double z) {
+    const PairCharacteristic pair(1, {z, chi});
+    return pair(pair.minimum());
+  };
   return unit * brent_root(as_gsl_function(least_value), {15.0, 25.0}, 1e-13);
 }
 

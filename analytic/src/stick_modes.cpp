@@ -63,7 +63,7 @@ class StickCharacteristic {
 };
 
 /// Where the smaller wave number of mode n lies alone: n π < bb < (n + 1/2) π.
-Interval stick_bracket(int n, double z) {
+Bounds stick_bracket(int n, double z) {
   return {smaller_wave_number(n * pi, z), smaller_wave_number((n + 0.5) * pi, z)};
 }
 

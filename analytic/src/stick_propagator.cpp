@@ -107,8 +107,8 @@ void StickPropagator::begin(double t, const ContactKinematics& state) {
           inverse_[k * 2 * m + m + n] * state.rates[n];
 }
 
-std::vector<StickPropagator::Share> StickPropagator::force_shares() const {
-  std::vector<Share> shares;
+std::vector<ModalShare> StickPropagator::force_shares() const {
+  std::vector<ModalShare> shares;
   for (std::size_t k = 0; k < eigenvalue_.size(); ++k)
     shares.push_back({eigenvalue_[k], force_weight_[k] * sine_[k], force_weight_[k] * cosine_[k]});
   return shares;

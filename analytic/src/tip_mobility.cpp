@@ -115,6 +115,12 @@ TipMobility::TipMobility(const data::Beam& beam, const data::Damping& damping)
   require_no_damping_ratio(damping);
 }
 
+struct TipMobility::Scaled {
+  Complex rigidity;   // D
+  Complex frequency;  // k
+  Complex load;       // z
+};
+
 TipMobility::Scaled TipMobility::scaled(Complex s) const {
   const double length = beam_.length();
   const Complex rigidity = bending_stiffness(beam_) * (1.0 + kelvin_voigt_ * s);

@@ -12,12 +12,41 @@
 #include <utility>
 
 #include "case_entry.hpp"
-#include "stickslip/data/mistakes.hpp"
 #include "stickslip/data/toml_file.hpp"
 
 namespace stickslip::data {
 
 namespace {
+
+// The mistakes of an input that is read to its end in spite of them.
+class Mistakes {
+ public:
+  // Does the work, and keeps the message of an InputError; a FieldError is told with what `place` says of its field.
+  void collect(const std::function<void()>& work,
+               const std::function<std::string(const FieldError&)>& place = {}) {
+    try {
+      work();
+    } catch (const FieldError& error) {
+      sentences_.push_back((place ? place(error) + ": " : "") + error.what());
+    } catch (const InputError& error) {
+      sentences_.emplace_back(error.what());
+    }
+  }
+
+  [[nodiscard]] bool any() const noexcept { return !sentences_.empty(); }
+
+  // Throws InputError for one mistake, InputErrors for more.
+  void throw_if_any() const {
+    if (sentences_.empty()) return;
+    if (sentences_.size() == 1) throw InputError(sentences_.front());
+    std::string lines;
+    for (const std::string& sentence : sentences_) lines += (lines.empty() ? "" : "\n") + sentence;
+    throw InputErrors(lines);
+  }
+
+ private:
+  std::vector<std::string> sentences_;
+};
 
 std::vector<std::string> key_paths() {
   std::vector<std::string> paths;
@@ -151,7 +180,8 @@ class NumbersReader {
     while (collect([&] {
       (void)Beam(numbers_.beam), (void)FrictionLaw(numbers_.friction),
           (void)HarmonicExcitation(numbers_.excitation);
-      (void)Damping(numbers_.damping), (void)TangentialContact(numbers_.contact), (void)Wall(numbers_.wall);
+      (void)Damping(numbers_.damping), (void)TangentialContact(numbers_.contact),
+          (void)Wall(numbers_.wall_speed);
     })) {
     }
     if (!mistakes_.any())

@@ -34,6 +34,8 @@ template <auto Field>
 constexpr KeyMember contact = member<&CaseNumbers::contact, Field>();
 template <auto Field>
 constexpr KeyMember section = member<&CaseNumbers::section, Field>();
+constexpr KeyMember wall_speed{.get = [](const CaseNumbers& of) { return of.wall_speed; },
+                               .set = [](CaseNumbers& of, double value) { of.wall_speed = value; }};
 constexpr KeyMember none{};
 
 constexpr auto optional = Presence::optional, required = Presence::required, shorthand = Presence::shorthand;
@@ -91,7 +93,7 @@ constexpr std::array all{
         optional},
     Key{"contact.regularisation_velocity", contact<&ContactProperties::regularisation_velocity>,
         {1e-18, 1e9, "m/s"}, optional},
-    Key{"wall.speed", member<&CaseNumbers::wall, &WallProperties::speed>(), {1e-15, 1e9, "m/s"}, optional},
+    Key{"wall.speed", wall_speed, {1e-15, 1e9, "m/s"}, optional},
     Key{"section.shape", none, {}, shorthand},
     Key{"section.width", section<&Section::width>, {1e-9, 1e6, "m"}, optional,
         {"width", "width_m", "width of the section / mm", 1e3}},
@@ -113,8 +115,8 @@ CaseNumbers numbers_in(const Case& problem) {
           .numerics = problem.numerics.choices(),
           .damping = {problem.damping.kelvin_voigt(), problem.damping.ratio()},
           .contact = problem.contact.properties(),
-          .wall = {problem.wall.speed()},
-          .section = problem.section};
+          .section = problem.section,
+          .wall_speed = problem.wall.speed()};
 }
 
 // Whether a case has the number: not every section has every side.
@@ -147,7 +149,7 @@ Case case_of(const std::string& name, const CaseNumbers& numbers) {
           .numerics = NumericalSettings(numbers.numerics),
           .damping = Damping(numbers.damping),
           .contact = TangentialContact(numbers.contact),
-          .wall = Wall(numbers.wall),
+          .wall = Wall(numbers.wall_speed),
           .section = numbers.section};
 }
 

@@ -106,20 +106,6 @@ std::vector<PrintedVerdict> printed_verdicts() {
                   read_verdict);
 }
 
-std::string_view to_string(ClaimVerdict verdict) noexcept {
-  switch (verdict) {
-    case ClaimVerdict::holds:
-      return "holds";
-    case ClaimVerdict::holds_with_correction:
-      return "holds with correction";
-    case ClaimVerdict::does_not_hold:
-      return "does not hold";
-    case ClaimVerdict::not_determined:
-      return "not determined";
-  }
-  return "";
-}
-
 PrintedNumber printed_number(const std::string& id) {
   const auto rows = printed_numbers();
   const auto found = std::ranges::find(rows, id, &PrintedNumber::id);

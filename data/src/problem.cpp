@@ -146,9 +146,7 @@ Damping::Damping(const DampingProperties& properties) : properties_(properties) 
     throw FieldError("damping.ratio", ratio(), "a number from 0 to below 1");
 }
 
-Wall::Wall(const WallProperties& properties) : properties_(properties) {
-  require_finite("wall.speed", speed(), " (m/s)");
-}
+Wall::Wall(double speed) : speed_(speed) { require_finite("wall.speed", speed, " (m/s)"); }
 
 NumericalSettings::NumericalSettings(const NumericalChoices& choices) : choices_(choices) {
   require_between("numerics.elements", elements(), 1, 100000);

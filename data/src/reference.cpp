@@ -349,8 +349,7 @@ class TableReader {
   void require_unique_keys() const {
     if (resource_.primary_key.empty()) return;
     std::vector<const Column*> key;
-    for (const std::string& name : resource_.primary_key)
-      key.push_back(&*std::ranges::find(columns_, name, [](const Column& c) { return c.field.name; }));
+    for (const std::string& name : resource_.primary_key) key.push_back(find_column(columns_, name));
     if (const auto rows = duplicate_rows(key))
       throw InputError(csv_.place(lines_[rows->second]) + ": the primary key " +
                        joined(resource_.primary_key) + " stands in line " +
@@ -384,12 +383,15 @@ const Resource& ReferencePackage::resource(const std::string& wanted) const {
   return *found;
 }
 
-const Column& ReferenceTable::column(std::string_view name) const {
+const Column* find_column(const std::vector<Column>& columns, std::string_view name) {
   const auto found =
       std::ranges::find(columns, name, [](const Column& c) { return std::string_view(c.field.name); });
-  if (found == columns.end())
-    throw std::out_of_range("no column " + std::string(name) + " in " + resource.name);
-  return *found;
+  return found == columns.end() ? nullptr : &*found;
+}
+
+const Column& ReferenceTable::column(std::string_view name) const {
+  if (const Column* found = find_column(columns, name)) return *found;
+  throw std::out_of_range("no column " + std::string(name) + " in " + resource.name);
 }
 
 std::vector<double> ReferenceTable::radius_of(const std::string& column_name) const {

@@ -23,16 +23,28 @@ using Path = std::filesystem::path;
 struct Kind {
   std::string_view name;
   DistributionKind kind;
-  std::vector<std::string> numbers;  // or texts, of samples
+  std::vector<std::string> keys;
+  std::vector<double Distribution::*> numbers;  // of the keys; samples have texts
 };
 
 const std::vector<Kind>& kinds() {
-  static const std::vector<Kind> all{
-      {"normal", DistributionKind::normal, {"mean", "standard_deviation"}},
-      {"lognormal", DistributionKind::lognormal, {"mean", "standard_deviation"}},
-      {"uniform", DistributionKind::uniform, {"lower", "upper"}},
-      {"triangular", DistributionKind::triangular, {"lower", "mode", "upper"}},
-      {"samples", DistributionKind::samples, {"file", "column"}}};
+  static const std::vector<Kind> all{{"normal",
+                                      DistributionKind::normal,
+                                      {"mean", "standard_deviation"},
+                                      {&Distribution::mean, &Distribution::standard_deviation}},
+                                     {"lognormal",
+                                      DistributionKind::lognormal,
+                                      {"mean", "standard_deviation"},
+                                      {&Distribution::mean, &Distribution::standard_deviation}},
+                                     {"uniform",
+                                      DistributionKind::uniform,
+                                      {"lower", "upper"},
+                                      {&Distribution::lower, &Distribution::upper}},
+                                     {"triangular",
+                                      DistributionKind::triangular,
+                                      {"lower", "mode", "upper"},
+                                      {&Distribution::lower, &Distribution::mode, &Distribution::upper}},
+                                     {"samples", DistributionKind::samples, {"file", "column"}, {}}};
   return all;
 }
 
@@ -58,12 +70,11 @@ class DistributionReader {
            "one of " + joined(names));
     for (const auto& [name_of_value, value] : *table_) {
       const std::string known(name_of_value.str());
-      if (known != "distribution" && std::ranges::find(kind->numbers, known) == kind->numbers.end())
-        throw InputError(place_ + ": unknown key " + printable(item(known)) +
-                         suggestion(known, kind->numbers) + ", but " + word + " has the keys " +
-                         joined(kind->numbers));
+      if (known != "distribution" && std::ranges::find(kind->keys, known) == kind->keys.end())
+        throw InputError(place_ + ": unknown key " + printable(item(known)) + suggestion(known, kind->keys) +
+                         ", but " + word + " has the keys " + joined(kind->keys));
     }
-    return checked(values_of(kind->kind));
+    return checked(values_of(*kind));
   }
 
  private:
@@ -97,27 +108,12 @@ class DistributionReader {
     return value->get();
   }
 
-  [[nodiscard]] Distribution values_of(DistributionKind kind) const {
-    Distribution result{.kind = kind};
-    switch (kind) {
-      case DistributionKind::normal:
-      case DistributionKind::lognormal:
-        result.mean = number("mean");
-        result.standard_deviation = number("standard_deviation");
-        break;
-      case DistributionKind::uniform:
-        result.lower = number("lower");
-        result.upper = number("upper");
-        break;
-      case DistributionKind::triangular:
-        result.lower = number("lower");
-        result.mode = number("mode");
-        result.upper = number("upper");
-        break;
-      case DistributionKind::samples:
-        result.samples =
-            column((file_.has_parent_path() ? file_.parent_path() : ".") / text("file"), text("column"));
-    }
+  [[nodiscard]] Distribution values_of(const Kind& kind) const {
+    Distribution result{.kind = kind.kind};
+    for (std::size_t i = 0; i < kind.numbers.size(); ++i) result.*kind.numbers[i] = number(kind.keys[i]);
+    if (kind.kind == DistributionKind::samples)
+      result.samples =
+          column((file_.has_parent_path() ? file_.parent_path() : ".") / text("file"), text("column"));
     return result;
   }
 

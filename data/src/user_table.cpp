@@ -287,12 +287,6 @@ ColumnMapping ColumnMapping::parse(std::string_view text) {
   return {std::string(reference), std::string(theirs), std::string(unit)};
 }
 
-const Column* UserTable::column(std::string_view name) const {
-  const auto found =
-      std::ranges::find(columns, name, [](const Column& c) { return std::string_view(c.field.name); });
-  return found == columns.end() ? nullptr : &*found;
-}
-
 std::string UserTable::place(std::size_t row) const {
   return file.string() + ":" + std::to_string(lines[row]);
 }

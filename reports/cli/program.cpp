@@ -18,7 +18,6 @@
 #include "stickslip/data/atomic_file.hpp"
 #include "stickslip/data/input_error.hpp"
 #include "stickslip/data/input_text.hpp"
-#include "stickslip/data/mistakes.hpp"
 #include "studies/common/parallel.hpp"
 
 namespace stickslip::cli {

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <map>
 #include <optional>
@@ -38,9 +37,9 @@ std::vector<FigureData::Value> values_of(const studies::CriterionMap& map) {
 }
 
 // The texts of the values along an axis, which many cells share.
-std::vector<CsvText> texts_of(const studies::MapAxis& axis) {
-  std::vector<CsvText> texts;
-  for (const double value : axis.values) texts.emplace_back(csv_number(value));
+std::vector<std::string> texts_of(const studies::MapAxis& axis) {
+  std::vector<std::string> texts;
+  for (const double value : axis.values) texts.push_back(csv_number(value));
   return texts;
 }
 
@@ -111,17 +110,14 @@ CsvTable table_of(const data::Case& problem, const studies::CriterionMap& map) {
       columns);
   table.reserve(map.cells.size() * longest_usual_row);
 
-  const std::vector<CsvText> x = texts_of(map.x), y = texts_of(map.y);
-  const std::array states{CsvText(to_string(studies::CellState::stick)),
-                          CsvText(to_string(studies::CellState::stick_slip)),
-                          CsvText(to_string(studies::CellState::no_stick_state))};
+  const std::vector<std::string> x = texts_of(map.x), y = texts_of(map.y);
   auto cell = map.cells.begin();
-  for (const CsvText& at_y : y) {
-    for (const CsvText& at_x : x) {
+  for (const std::string& at_y : y) {
+    for (const std::string& at_x : x) {
       table.add(at_x).add(at_y);
       if (has_ratio) table.add(cell->force_ratio);
       for (std::size_t q = 0; q < map.quantities.size(); ++q) add(table, *cell, q, map.tolerance);
-      table.add(states[static_cast<std::size_t>(cell->state)]).end_row();
+      table.add(to_string(cell->state)).end_row();
       ++cell;
     }
     table.end_grid_line();

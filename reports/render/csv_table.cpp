@@ -5,15 +5,9 @@
 
 #include <stdexcept>
 
-#include "stickslip/data/problem.hpp"
+#include "stickslip/data/input_error.hpp"
 
 namespace stickslip::report {
-
-CsvText::CsvText(std::string_view text) : text_(text) {
-  if (text_.find_first_of(",\"\r\n") != std::string::npos)
-    throw std::invalid_argument(
-        fmt::format("the cell '{}' holds a comma, a quote or a line break, but must hold none", text_));
-}
 
 CsvTable::CsvTable(std::string_view title, const std::vector<CsvColumn>& columns)
     : columns_(columns.size()), text_(fmt::format("# {}\n# units: ", title)) {
@@ -29,8 +23,7 @@ CsvTable::CsvTable(std::string_view title, const std::vector<CsvColumn>& columns
 
 void CsvTable::add_row(const std::vector<std::string>& cells) {
   require_columns(cells.size());
-  const std::vector<CsvText> checked(cells.begin(), cells.end());
-  for (const CsvText& cell : checked) add(cell);
+  for (const std::string& cell : cells) add(cell);
   end_row();
 }
 
@@ -40,17 +33,16 @@ void CsvTable::add_numbers(const std::vector<double>& values) {
   end_row();
 }
 
-CsvTable& CsvTable::add(const CsvText& cell) {
-  begin_cell();
-  text_ += cell.text();
+CsvTable& CsvTable::add(std::string_view cell) {
+  if (cell.find_first_of(",\"\r\n") != std::string_view::npos)
+    throw std::invalid_argument(
+        fmt::format("the cell '{}' holds a comma, a quote or a line break, but must hold none", cell));
+  if (cells_++ > 0) text_ += ',';
+  text_ += cell;
   return *this;
 }
 
-CsvTable& CsvTable::add(std::optional<double> value) {
-  begin_cell();
-  if (value) text_ += data::shortest_text(*value);
-  return *this;
-}
+CsvTable& CsvTable::add(std::optional<double> value) { return add(csv_number(value)); }
 
 void CsvTable::end_row() {
   require_columns(cells_);
@@ -61,10 +53,6 @@ void CsvTable::end_row() {
 void CsvTable::require_columns(std::size_t cells) const {
   if (cells != columns_)
     throw std::invalid_argument(fmt::format("a row has {} cells, but the table {} columns", cells, columns_));
-}
-
-void CsvTable::begin_cell() {
-  if (cells_++ > 0) text_ += ',';
 }
 
 std::string csv_number(std::optional<double> value) { return value ? data::shortest_text(*value) : ""; }

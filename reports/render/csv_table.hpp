@@ -14,18 +14,6 @@ struct CsvColumn {
   std::string unit;  ///< "m"; "1" for a pure number, "-" for a word
 };
 
-/// Text that the cell of any number of rows may hold.
-class CsvText {
- public:
-  /// Throws std::invalid_argument if it holds a comma, a quote or a line break.
-  explicit CsvText(std::string_view text);
-
-  [[nodiscard]] const std::string& text() const noexcept { return text_; }
-
- private:
-  std::string text_;
-};
-
 /// A table of comma-separated values: two comment lines (title, units), a line of column names, the rows.
 /// Numbers are written with the digits that read back as the same double.
 class CsvTable {
@@ -37,8 +25,9 @@ class CsvTable {
   void add_row(const std::vector<std::string>& cells);
   void add_numbers(const std::vector<double>& values);
 
-  /// A row cell by cell, for tables of millions of rows; without a value the cell is empty.
-  CsvTable& add(const CsvText& cell);
+  /// A row cell by cell, for tables of millions of rows; without a value the cell is empty. Throws std::invalid_argument
+  /// for a text as add_row().
+  CsvTable& add(std::string_view cell);
   CsvTable& add(std::optional<double> value);
   /// Throws std::invalid_argument as add_row().
   void end_row();
@@ -53,7 +42,6 @@ class CsvTable {
 
  private:
   void require_columns(std::size_t cells) const;
-  void begin_cell();
 
   std::size_t columns_;
   std::size_t cells_{};  // in the row that has not ended

@@ -505,16 +505,14 @@ FigureData figure2(Results& r) {
 }
 
 FigureData convergence(Results& r) {
-  FigureData data =
-      figure("convergence", study_table("Relative error of the eigenvalue omega^2 on Hermite elements",
-                                        std::vector{r(stick_frequencies), r(slip_frequencies)},
-                                        "state, modes.mode, elements, element_length, modes.relative_error, "
-                                        "modes.predicted_error"));
-  data.tables.push_back(
-      {"convergence-time",
-       study_table("Error of generalised-alpha on a damped chain of two masses", r(time_orders),
-                   "spectral_radius, time_step, displacement_error, velocity_error, reaction_error")});
-  return data;
+  return {{{"convergence", study_table("Relative error of the eigenvalue omega^2 on Hermite elements",
+                                       std::vector{r(stick_frequencies), r(slip_frequencies)},
+                                       "state, modes.mode, elements, element_length, modes.relative_error, "
+                                       "modes.predicted_error")},
+           {"convergence-time",
+            study_table("Error of generalised-alpha on a damped chain of two masses", r(time_orders),
+                        "spectral_radius, time_step, displacement_error, velocity_error, reaction_error")}},
+          {}};
 }
 
 // Panel i, by rows, has the columns 2 i and 2 i + 1 and the value hz<i>; stick stands left, slip right.
@@ -573,11 +571,6 @@ FigureData figure9(Results& r) {
                                     "force as force_closed_form, first_force as force_finite_element"));
 }
 
-CsvTable criterion_table(Results& r) {
-  return study_table("Critical amplitude of stick-slip, closed form", r(criterion),
-                     "frequency_hz, critical_amplitude");
-}
-
 void add_natural_frequencies(const studies::FrequencyStudy& study, const char* name, FigureData& data) {
   for (const auto& mode : study.modes)
     data.values.push_back({fmt::format("{}{}", name, mode.mode), mode.closed_form_hz, "Hz"});
@@ -601,11 +594,13 @@ FigureData models(Results& r) {
 }
 
 FigureData figure12(Results& r) {
-  FigureData data =
-      figure("fig12", study_table("Fig. 12: verdict of either implementation at each excitation",
-                                  r(classification).points,
-                                  "frequency_hz, amplitude, closed_form, finite_element, in_guard_band"));
-  data.tables.push_back({"fig12-curve", criterion_table(r)});
+  FigureData data{
+      {{"fig12",
+        study_table("Fig. 12: verdict of either implementation at each excitation", r(classification).points,
+                    "frequency_hz, amplitude, closed_form, finite_element, in_guard_band")},
+       {"fig12-curve", study_table("Critical amplitude of stick-slip, closed form", r(criterion),
+                                   "frequency_hz, critical_amplitude")}},
+      {}};
   add_natural_frequencies(r(stick_frequencies), "natural", data);
   return data;
 }
@@ -678,12 +673,8 @@ CsvTable benchmark_events(const std::vector<studies::DampedBenchmark>& benchmark
     const auto add = [&](int number, const studies::BenchmarkRun& run, std::size_t i,
                          const studies::EventDifference& difference) {
       const auto& event = benchmark.events[i];
-      events.add(benchmark.frequency_hz)
-          .add(number)
-          .add(CsvText(run.method))
-          .add(run.size)
-          .add(run.time_step);
-      events.add(event.time).add(CsvText(data::to_string(event.change))).add(event.position);
+      events.add(benchmark.frequency_hz).add(number).add(run.method).add(run.size).add(run.time_step);
+      events.add(event.time).add(data::to_string(event.change)).add(event.position);
       events.add(difference.time).add(difference.position).end_row();
     };
     studies::BenchmarkRun reference;
@@ -702,15 +693,14 @@ CsvTable benchmark_events(const std::vector<studies::DampedBenchmark>& benchmark
 
 FigureData benchmark(Results& r) {
   const auto& all = r(damped_benchmarks);
-  FigureData data = figure("benchmark", benchmark_events(all),
-                           {{"shown", all.front().duration, "s"},
-                            {"hz1", all.front().frequency_hz, "Hz"},
-                            {"hz2", all.back().frequency_hz, "Hz"}});
-  data.tables.push_back(
-      {"benchmark-histories", study_table("Damped benchmark: tip displacement y(L, t) of the reference", all,
-                                          "0.history.rows.time, 0.history.rows.tip_displacement as tip_25hz, "
-                                          "1.history.rows.tip_displacement as tip_70hz")});
-  return data;
+  return {{{"benchmark", benchmark_events(all)},
+           {"benchmark-histories",
+            study_table("Damped benchmark: tip displacement y(L, t) of the reference", all,
+                        "0.history.rows.time, 0.history.rows.tip_displacement as tip_25hz, "
+                        "1.history.rows.tip_displacement as tip_70hz")}},
+          {{"shown", all.front().duration, "s"},
+           {"hz1", all.front().frequency_hz, "Hz"},
+           {"hz2", all.back().frequency_hz, "Hz"}}};
 }
 
 // Undamped histories as they are usually computed, next to the converged one. Row j of panels has the value
@@ -734,7 +724,7 @@ FigureData practice(Results& r) {
     runs.insert(runs.begin(), {.method = "converged", .tip_displacement = converged.tip});
     for (std::size_t k = 0; k < runs.size(); ++k)
       for (std::size_t n = 0; n < converged.time.size(); ++n) {
-        table.add(converged.frequency_hz).add(static_cast<double>(k)).add(CsvText(runs[k].method));
+        table.add(converged.frequency_hz).add(static_cast<double>(k)).add(runs[k].method);
         table.add(runs[k].elements).add(runs[k].time_step).add(runs[k].spectral_radius);
         table.add(100.0 * runs[k].error).add(converged.time[n]).add(runs[k].tip_displacement[n]);
         table.end_row();
@@ -760,20 +750,17 @@ FigureData growth(Results& r) {
 
 // The points are the excitations A to D whose |f_max| the paper prints.
 FigureData figure10(Results& r) {
-  FigureData data =
-      figure("fig10",
-             study_table("Fig. 10: largest static friction force |f_max| over 0 to 10 s, closed form",
-                         r(force_surface), "frequency_hz, amplitude, force_max", TableShape::grid),
-             {{"limit", studies::friction_limit(r.paper), "N"}});
   CsvTable points("Fig. 10: the excitations A to D",
                   {{"letter", "-"}, {"frequency_Hz", "Hz"}, {"amplitude_m", "m"}, {"force_max_N", "N"}});
   const char* letter = "ACBD";
   for (const auto& force : r(force_maxima)) {
-    points.add(CsvText(std::string_view(letter++, 1))).add(force.frequency_hz).add(force.amplitude);
+    points.add(std::string_view(letter++, 1)).add(force.frequency_hz).add(force.amplitude);
     points.add(force.truncated.midpoint()).end_row();
   }
-  data.tables.push_back({"fig10-points", std::move(points)});
-  return data;
+  return {{{"fig10", study_table("Fig. 10: largest static friction force |f_max| over 0 to 10 s, closed form",
+                                 r(force_surface), "frequency_hz, amplitude, force_max", TableShape::grid)},
+           {"fig10-points", std::move(points)}},
+          {{"limit", studies::friction_limit(r.paper), "N"}}};
 }
 
 FigureData figure13(Results& r) {
@@ -791,15 +778,12 @@ FigureData figure13(Results& r) {
 // Grid lines of one axial force.
 FigureData figure14(Results& r) {
   const auto& study = r(length_force_map);
-  FigureData data =
-      figure("fig14",
-             study_table("Fig. 14: |f_max|/(mu_s P) over beam length and axial force, closed form",
-                         study.lines, "length, axial_force, force_ratio", TableShape::grid),
-             {{"hz", study.frequency_hz, "Hz"}, {"buckling_coefficient", study.buckling_coefficient, "1"}});
-  data.tables.push_back(
-      {"fig14-limits", study_table("Fig. 14: lengths of resonance with the excitation and of buckling",
-                                   study.lines, "axial_force, resonance_1, resonance_2, buckling_length")});
-  return data;
+  return {
+      {{"fig14", study_table("Fig. 14: |f_max|/(mu_s P) over beam length and axial force, closed form",
+                             study.lines, "length, axial_force, force_ratio", TableShape::grid)},
+       {"fig14-limits", study_table("Fig. 14: lengths of resonance with the excitation and of buckling",
+                                    study.lines, "axial_force, resonance_1, resonance_2, buckling_length")}},
+      {{"hz", study.frequency_hz, "Hz"}, {"buckling_coefficient", study.buckling_coefficient, "1"}}};
 }
 
 // The decadic logarithm of error over tolerance, from -1 to 6, of each code in each problem that verification/peers has a row of: the
@@ -835,10 +819,7 @@ FigureData scoreboard(Results& /*r*/) {
   for (std::size_t j = 0; j < codes.size(); ++j)
     for (std::size_t i = 0; i < problems.size(); ++i) {
       const auto found = ratios.find({codes[j], problems[i]});
-      table.add(CsvText(codes[j]))
-          .add(CsvText(problems[i]))
-          .add(static_cast<double>(i))
-          .add(static_cast<double>(j));
+      table.add(codes[j]).add(problems[i]).add(static_cast<double>(i)).add(static_cast<double>(j));
       const bool ran = found != ratios.end() && !found->second.empty();
       table.add(found != ratios.end() && !ran ? 1.0 : 0.0);
       table.add(ran ? std::optional(found->second.front()) : std::nullopt);
@@ -848,12 +829,11 @@ FigureData scoreboard(Results& /*r*/) {
 }
 
 FigureData intervals(Results& r) {
-  FigureData data = figure("validation", comparison_table(r(measured)));
-  data.tables.push_back(
-      {"validation-bias",
-       study_table("Mean and standard deviation of E/D over all set points", r(measured_bias),
-                   "experiment, quantity, form, points, resolved, beyond, mean, spread")});
-  return data;
+  return {{{"validation", comparison_table(r(measured))},
+           {"validation-bias",
+            study_table("Mean and standard deviation of E/D over all set points", r(measured_bias),
+                        "experiment, quantity, form, points, resolved, beyond, mean, spread")}},
+          {}};
 }
 
 FigureData rig_drawing(Results& r) {

@@ -13,7 +13,7 @@
 
 namespace stickslip::solver {
 
-/// The motion of a ContactSystem, phase by phase. The functions of contact_driver.hpp decide when a phase ends.
+/// The motion of a ContactSystem, phase by phase. A ContactDriver decides when a phase ends.
 class ContactMotion {
  public:
   ContactMotion(ContactSystem system, const IntegratorSettings& settings);
@@ -94,5 +94,11 @@ class ContactMotion {
   double yielding_force_{}, alpha_level_force_{}, alpha_level_time_{};
   std::function<void()> observer_;
 };
+
+/// A ContactScheme, which decides when the contact changes: takes the motion towards end_time, the end of its grid step:
+/// there, or to a change of the contact.
+using ContactDriver = void (*)(ContactMotion& motion, double end_time);
+
+[[nodiscard]] ContactDriver driver_of(const ContactMotion& motion);
 
 }  // namespace stickslip::solver

@@ -42,7 +42,6 @@ class ModalKernel final : public StepKernel {
 
   void take_step(const StepPhase& phase, const Kinematics& now, double time, double end_time,
                  Kinematics& next) override;
-  [[nodiscard]] double yielding_force() const override { return yielding_force_; }
   // Seldom, so that it need not be fast.
   void restart(const StepPhase& phase, double time, Kinematics& now) override {
     sparse_->restart(phase, time, now);
@@ -56,10 +55,6 @@ class ModalKernel final : public StepKernel {
   const StepFactors& factors_of(double length);
   void prepare(StepFactors& step, double length) const;
 
-  const ContactSystem& system_;
-  const FrictionContact& contact_;
-  GeneralizedAlpha method_;
-  double time_step_;
   std::unique_ptr<StepKernel> sparse_;
   Eigen::Index modes_;
   Eigen::ArrayXd stiffness_;     // ω²
@@ -69,15 +64,11 @@ class ModalKernel final : public StepKernel {
   double contact_mass_entry_{}, contact_stiffness_{}, contact_load_{};
   StepFactors whole_step_, partial_step_;
   Eigen::ArrayXd alpha_displacement_, residual_;
-  double yielding_force_{};
 };
 
 ModalKernel::ModalKernel(const ContactSystem& system, const FrictionContact& contact,
                          const GeneralizedAlpha& method, double time_step)
-    : system_(system),
-      contact_(contact),
-      method_(method),
-      time_step_(time_step),
+    : StepKernel(system, contact, method, time_step),
       sparse_(make_sparse_kernel(system, contact, method, time_step)),
       modes_(system.mass.rows() - 1) {
   require_modal_form(system);
@@ -103,7 +94,7 @@ void ModalKernel::prepare(StepFactors& step, double length) const {
 }
 
 const StepFactors& ModalKernel::factors_of(double length) {
-  if (is_whole_step(length, time_step_)) return whole_step_;
+  if (is_whole_step(length)) return whole_step_;
   if (partial_step_.length != length) prepare(partial_step_, length);
   return partial_step_;
 }
@@ -111,7 +102,7 @@ const StepFactors& ModalKernel::factors_of(double length) {
 void ModalKernel::take_step(const StepPhase& phase, const Kinematics& now, double time, double end_time,
                             Kinematics& next) {
   const StepFactors& step = factors_of(end_time - time);
-  if (phase.state == data::ContactState::stick && !contact_.yields()) {
+  if (is_held(phase)) {
     take_stick_step(step, phase.wall_offset, now, time, end_time, next);
   } else {
     take_slip_step(step, phase, now, time, next);
@@ -143,7 +134,7 @@ void ModalKernel::take_slip_step(const StepFactors& step, const StepPhase& phase
                                  double time, Kinematics& next) {
   const double h = step.length, share = 1.0 - method_.alpha_f(), beta = method_.beta(),
                gamma = method_.gamma();
-  const double load_time = method_.load_time(time, h), load = system_.load_history(load_time);
+  const double load = system_.load_history(method_.load_time(time, h));
   const auto q = now.displacement.head(modes_).array(), v = now.velocity.head(modes_).array(),
              a = now.acceleration.head(modes_).array();
   const double qc = now.displacement[modes_], vc = now.velocity[modes_], ac = now.acceleration[modes_];
@@ -157,20 +148,8 @@ void ModalKernel::take_slip_step(const StepFactors& step, const StepPhase& phase
                                   (follower_row_ * alpha_displacement_).sum() -
                                   (step.contact_row * residual_).sum();
   const double free_acceleration = contact_residual * step.contact_acceleration;
-  const double velocity_factor = method_.damping_factor(h);
-  const double free_velocity = vc + (share * h * (1.0 - gamma)) * ac + velocity_factor * free_acceleration -
-                               system_.wall.velocity(load_time);
-  const double mobility = velocity_factor * step.contact_acceleration;
-  contact_.require_unique_force(mobility, time, time_step_);
-  const double displacement_factor = method_.stiffness_factor(h);
-  const double friction =
-      contact_.yields() ? contact_.yielding_force(phase.wall_offset,
-                                                  {free_velocity,
-                                                   alpha_qc + displacement_factor * free_acceleration -
-                                                       alpha_level_wall(system_, method_, time, h),
-                                                   mobility, displacement_factor * step.contact_acceleration})
-                        : contact_.alpha_level_force(phase.direction, free_velocity, mobility);
-  yielding_force_ = friction;
+  const double friction = friction_force(phase, time, h, alpha_qc, vc + (share * h * (1.0 - gamma)) * ac,
+                                         free_acceleration, step.contact_acceleration);
   const double new_ac = free_acceleration + friction * step.contact_acceleration;
 
   auto new_a = next.acceleration.head(modes_).array();

@@ -3,6 +3,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -64,6 +65,13 @@ ModalStickRun::Modes ModalStickRun::stepped(const Modes& state, double load) con
   next.col(0) = x1 + x2 + (0.5 - beta) * x3 + beta * next.col(2);
   return next;
 }
+
+// T^B and the outputs of a block, as factors of y = (x_1, x_2, x_3, sin(Ω t), cos(Ω t)) at its start.
+struct ModalStickRun::Block {
+  std::array<Modes, 3> of_state;
+  std::array<Modes, 2> of_load;
+  Eigen::MatrixXd outputs;
+};
 
 // Every mode steps alike, so that one step with x_1 = 1 (or x_2, or x_3) in all of them finds a column of all
 // their recurrences at once.

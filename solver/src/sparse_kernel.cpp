@@ -39,7 +39,6 @@ class SparseKernel final : public StepKernel {
 
   void take_step(const StepPhase& phase, const Kinematics& now, double time, double end_time,
                  Kinematics& next) override;
-  [[nodiscard]] double yielding_force() const override { return yielding_force_; }
   void restart(const StepPhase& phase, double time, Kinematics& now) override;
 
  private:
@@ -54,21 +53,16 @@ class SparseKernel final : public StepKernel {
   void subtract_static_shape_inertia(double t);
   void subtract_internal_forces(const SparseMatrix& stiffness);
 
-  const ContactSystem& system_;
-  const FrictionContact& contact_;
-  GeneralizedAlpha method_;
-  double time_step_;
   Eigen::VectorXd static_shape_;                     // σ
   Eigen::VectorXd static_inertia_, static_damping_;  // M σ, C σ
   StepMatrices whole_step_, partial_step_;
   Kinematics alpha_level_;
   Eigen::VectorXd residual_, new_acceleration_;
-  double yielding_force_{};
 };
 
 SparseKernel::SparseKernel(const ContactSystem& system, const FrictionContact& contact,
                            const GeneralizedAlpha& method, double time_step)
-    : system_(system), contact_(contact), method_(method), time_step_(time_step) {
+    : StepKernel(system, contact, method, time_step) {
   const Eigen::Index c = system.contact;
   const SparseCholesky constrained_stiffness(constrained(system.stick_stiffness, c));
   if (!is_positive_definite(constrained_stiffness))
@@ -82,7 +76,7 @@ SparseKernel::SparseKernel(const ContactSystem& system, const FrictionContact& c
 }
 
 StepMatrices& SparseKernel::matrices_of(double length) {
-  if (is_whole_step(length, time_step_)) return whole_step_;
+  if (is_whole_step(length)) return whole_step_;
   if (partial_step_.length != length) {
     partial_step_.length = length;
     partial_step_.stick.reset();
@@ -124,7 +118,7 @@ void SparseKernel::take_step(const StepPhase& phase, const Kinematics& now, doub
                              Kinematics& next) {
   next = now;
   StepMatrices& step = matrices_of(end_time - time);
-  if (phase.state == data::ContactState::stick && !contact_.yields()) {
+  if (is_held(phase)) {
     take_stick_step(step, phase.wall_offset, time, end_time, next);
   } else {
     take_slip_step(step, phase, time, next);
@@ -159,21 +153,9 @@ void SparseKernel::take_slip_step(StepMatrices& step, const StepPhase& phase, do
   subtract_internal_forces(system_.slip_stiffness);
   new_acceleration_ = slip_matrix(step).solve(residual_);
 
-  const double velocity_factor = method_.damping_factor(h);
-  const double free_velocity =
-      alpha_level_.velocity[c] + velocity_factor * new_acceleration_[c] - system_.wall.velocity(load_time);
-  const double mobility = velocity_factor * step.mobility[c];
-  contact_.require_unique_force(mobility, time, time_step_);
-  if (!contact_.yields()) {
-    new_acceleration_ += contact_.alpha_level_force(phase.direction, free_velocity, mobility) * step.mobility;
-  } else {
-    const double displacement_factor = method_.stiffness_factor(h);
-    const double free_position = alpha_level_.displacement[c] + displacement_factor * new_acceleration_[c] -
-                                 alpha_level_wall(system_, method_, time, h);
-    yielding_force_ = contact_.yielding_force(
-        phase.wall_offset, {free_velocity, free_position, mobility, displacement_factor * step.mobility[c]});
-    new_acceleration_ += yielding_force_ * step.mobility;
-  }
+  new_acceleration_ += friction_force(phase, time, h, alpha_level_.displacement[c], alpha_level_.velocity[c],
+                                      new_acceleration_[c], step.mobility[c]) *
+                       step.mobility;
   method_.update(state, h, new_acceleration_);
 }
 
@@ -182,7 +164,7 @@ void SparseKernel::restart(const StepPhase& phase, double time, Kinematics& now)
   alpha_level_ = now;
   alpha_level_.acceleration.setZero();
   residual_.noalias() = system_.load_history(time) * system_.load_shape;
-  if (phase.state == data::ContactState::slip || contact_.yields()) {
+  if (!is_held(phase)) {
     const Eigen::Index c = system_.contact;
     subtract_internal_forces(system_.slip_stiffness);
     const double sliding = now.velocity[c] - system_.wall.velocity(time);
@@ -222,6 +204,24 @@ void SparseKernel::subtract_internal_forces(const SparseMatrix& stiffness) {
 }
 
 }  // namespace
+
+double StepKernel::friction_force(const StepPhase& phase, double time, double length, double displacement,
+                                  double velocity, double free_acceleration, double response) {
+  const double velocity_factor = method_.damping_factor(length), mobility = velocity_factor * response;
+  contact_.require_unique_force(mobility, time, time_step_);
+  const double free_velocity =
+      velocity + velocity_factor * free_acceleration - system_.wall.velocity(method_.load_time(time, length));
+  if (!contact_.yields()) return contact_.alpha_level_force(phase.direction, free_velocity, mobility);
+  // Weighted as displacements are and not taken at t_star: a spring to the wall then gets the weighted position of the
+  // contact.
+  const double wall = (1.0 - method_.alpha_f()) * system_.wall.displacement(time + length) +
+                      method_.alpha_f() * system_.wall.displacement(time);
+  const double displacement_factor = method_.stiffness_factor(length);
+  const double free_position = displacement + displacement_factor * free_acceleration - wall;
+  yielding_force_ = contact_.yielding_force(
+      phase.wall_offset, {free_velocity, free_position, mobility, displacement_factor * response});
+  return yielding_force_;
+}
 
 std::unique_ptr<StepKernel> make_sparse_kernel(const ContactSystem& system, const FrictionContact& contact,
                                                const GeneralizedAlpha& method, double time_step) {

@@ -3,7 +3,6 @@
 
 #include <utility>
 
-#include "contact_driver.hpp"
 #include "contact_motion.hpp"
 
 namespace stickslip::solver {

@@ -24,12 +24,6 @@ std::string joined_cells(const std::vector<std::string>& columns, const Cell& ce
   return text;
 }
 
-const data::Column* column_of(const std::vector<data::Column>& columns, const std::string& name) {
-  const auto found = std::ranges::find(
-      columns, name, [](const data::Column& one) -> const auto& { return one.field.name; });
-  return found == columns.end() ? nullptr : &*found;
-}
-
 // ", where mode must be one of 1, 2, 3": the first column that leaves no row of the reference.
 std::string allowed(const data::ReferenceTable& reference, const data::UserTable& theirs,
                     const std::vector<std::string>& columns, std::size_t their_row) {
@@ -57,7 +51,7 @@ std::string allowed(const data::ReferenceTable& reference, const data::UserTable
 bool are_alike(const std::vector<data::Column>& a, std::size_t i, const std::vector<data::Column>& b,
                std::size_t j, const std::vector<std::string>& names) {
   return std::ranges::all_of(names, [&](const std::string& name) {
-    const data::Column *mine = column_of(a, name), *theirs = column_of(b, name);
+    const data::Column *mine = data::find_column(a, name), *theirs = data::find_column(b, name);
     if (mine == nullptr || theirs == nullptr) return true;
     return mine->field.type == data::FieldType::string
                ? mine->text[i] == theirs->text[j]

@@ -8,17 +8,11 @@
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
-#include "stickslip/analytic/band_maximum.hpp"
-#include "stickslip/analytic/beam_contact_model.hpp"
-#include "stickslip/analytic/criterion.hpp"
-#include "stickslip/analytic/event_driven.hpp"
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/solver/beam_model.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "stickslip/solver/generalized_alpha.hpp"
-#include "studies/analyses/contact_response.hpp"
 #include "studies/analyses/criterion_map.hpp"
 #include "studies/common/problem_parameter.hpp"
 
@@ -45,13 +39,13 @@ data::HarmonicExcitation shaking(double hz, double amplitude) {
   return data::HarmonicExcitation({.frequency_hz = hz, .amplitude = amplitude});
 }
 
-// The settings of the paper with another number of elements, another duration (s) and other modes.
-data::NumericalSettings settings(int elements, double duration = ten_seconds, int modes = 10) {
+// The settings of the paper with another number of elements, another duration (s).
+data::NumericalSettings settings(int elements, double duration = ten_seconds) {
   return data::NumericalSettings({.elements = elements,
                                   .time_step = 1e-4,
                                   .spectral_radius = 0.9,
                                   .velocity_threshold = 1e-4,
-                                  .modes = modes,
+                                  .modes = 10,
                                   .duration = duration});
 }
 
@@ -250,29 +244,6 @@ void stick_slip_run(benchmark::State& state, Coordinates coordinates) {
 BENCHMARK_CAPTURE(stick_slip_run, nodal, Coordinates::nodal)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(stick_slip_run, modal, Coordinates::modal)->Unit(benchmark::kMillisecond);
 
-// The same ten seconds in fixed steps on 20 modes, as a cell of a map of the motion has them, and such a cell: the run, a
-// second one with twice the step, and all that is set up for one beam. Against stick_slip_run/modal.
-void fixed_step_run(benchmark::State& state) {
-  data::Case problem = paper_case();
-  problem.numerics = settings(20, ten_seconds, 20);
-  const analytic::ContactModel model = studies::response_model(problem);
-  const analytic::ContactModes modes(model);
-  analytic::ModalContactRun run(modes, model, studies::steps_per_period(problem));
-  for (auto _ : state) {
-    run.start_stuck();
-    while (run.steps() < static_cast<std::size_t>(steps)) run.step();
-    benchmark::DoNotOptimize(run.sliding_velocity());
-  }
-}
-BENCHMARK(fixed_step_run)->Unit(benchmark::kMillisecond);
-
-void motion_map_cell(benchmark::State& state) {
-  data::Case problem = paper_case();
-  problem.numerics = settings(20, ten_seconds, 20);
-  for (auto _ : state) benchmark::DoNotOptimize(studies::contact_response(problem, 0.5 * ten_seconds));
-}
-BENCHMARK(motion_map_cell)->Unit(benchmark::kMillisecond);
-
 // A hundredth of a second of the plain stick run. Time and memory are proportional to the number of elements.
 void elements(benchmark::State& state) {
   const auto numerics = settings(static_cast<int>(state.range(0)), 0.01);
@@ -293,44 +264,6 @@ BENCHMARK(elements)
     ->Complexity(benchmark::oN)
     ->Unit(benchmark::kMillisecond);
 
-const data::Damping light_damping({.kelvin_voigt = 6.4e-5});
-constexpr double half_a_second = 0.5;
-
-// Half a second of damped stick-slip at 25 Hz and 1 mm by the event-driven method, over the number of modes.
-void event_driven_run(benchmark::State& state) {
-  const analytic::BeamContactModel model(paper_beam, paper_friction, shaking(25.0, 1e-3), light_damping,
-                                         static_cast<int>(state.range(0)));
-  std::size_t events = 0;
-  for (auto _ : state) {
-    analytic::EventDriven run(model.model());
-    run.advance_to(half_a_second);
-    events = run.events().size();
-    benchmark::DoNotOptimize(run.contact_displacement());
-  }
-  state.counters["events"] = static_cast<double>(events);
-}
-BENCHMARK(event_driven_run)->Arg(10)->Arg(20)->Unit(benchmark::kMillisecond);
-
-// The same by time integration with ten elements, over the number of steps.
-void time_stepper_run(benchmark::State& state) {
-  const solver::BeamModel mesh(paper_beam, 10);
-  const solver::PrescribedMotion base = solver::harmonic_motion(shaking(25.0, 1e-3));
-  const solver::ContactSystem system = solver::beam_contact_system(mesh, paper_friction, base, light_damping);
-  const Eigen::VectorXd rest = Eigen::VectorXd::Zero(mesh.degrees_of_freedom());
-  const Eigen::VectorXd velocity = -base.velocity(0.0) * mesh.unit_tip_deflection();
-  std::size_t events = 0;
-  for (auto _ : state) {
-    solver::StickSlipIntegrator run(
-        system, {.time_step = half_a_second / static_cast<double>(state.range(0)), .spectral_radius = 0.9});
-    run.start_stuck(rest, velocity);
-    while (run.steps() < state.range(0)) run.step();
-    events = run.events().size();
-    benchmark::DoNotOptimize(run.displacement().data());
-  }
-  state.counters["events"] = static_cast<double>(events);
-}
-BENCHMARK(time_stepper_run)->Arg(5000)->Arg(50000)->Unit(benchmark::kMillisecond);
-
 // ---- closed form
 
 void force_maximum(benchmark::State& state, bool plain) {
@@ -341,34 +274,6 @@ void force_maximum(benchmark::State& state, bool plain) {
 }
 BENCHMARK_CAPTURE(force_maximum, halving, true)->Arg(10)->Arg(40)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(force_maximum, search, false)->Arg(10)->Arg(40)->Unit(benchmark::kMillisecond);
-
-// Frequencies, shapes and integrals of the stick state.
-void stick_modes(benchmark::State& state) {
-  for (auto _ : state)
-    benchmark::DoNotOptimize(analytic::stick_modes(paper_beam, static_cast<int>(state.range(0))));
-}
-BENCHMARK(stick_modes)->Arg(10)->Arg(200)->Unit(benchmark::kMicrosecond);
-
-// Whether a beam slips in a band of 10 Hz, over beams that differ by 1 % and limits that differ by 30 %: the whole
-// search against a decision.
-enum class BandVerdict { search, decision };
-void band_verdict(benchmark::State& state, BandVerdict way) {
-  int sample = 0;
-  const auto share = [&](double ratio) { return std::fmod(ratio * sample, 1.0); };
-  for (auto _ : state) {
-    ++sample;
-    auto properties = paper_beam.properties();
-    properties.youngs_modulus *= 0.995 + 0.01 * share(std::numbers::phi);
-    analytic::BandMaximum band(data::Beam(properties), {30.0, 40.0}, 10.0, 10);
-    const double limit = 6.8e5 * (0.85 + 0.3 * share(std::numbers::sqrt2));
-    benchmark::DoNotOptimize(way == BandVerdict::decision ? band.exceeds(limit)
-                                                          : band.refined_against(limit, 1e-7).lower > limit);
-  }
-}
-BENCHMARK_CAPTURE(band_verdict, search, BandVerdict::search)->Unit(benchmark::kMicrosecond)->Iterations(2000);
-BENCHMARK_CAPTURE(band_verdict, decision, BandVerdict::decision)
-    ->Unit(benchmark::kMicrosecond)
-    ->Iterations(2000);
 
 // ---- maps
 

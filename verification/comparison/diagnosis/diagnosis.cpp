@@ -418,11 +418,11 @@ class Search {
     const ComparedValues& values = question.values;
     constexpr int finest = 40;
     constexpr double periods = 5.0;
-    data::NumericalChoices choices = problem.numerics.choices();
-    choices.time_step = 1.0 / (1600.0 * problem.excitation.frequency_hz());
+    const double step = 1.0 / (1600.0 * problem.excitation.frequency_hz());
     const bool is_held = reference_.resource.stated.tip == "held";
     solver::BeamSimulation run(
-        problem.beam, problem.friction, problem.excitation, data::NumericalSettings(choices),
+        problem.beam, problem.friction, problem.excitation,
+        with_value(problem, "numerics.time_step", step).numerics,
         {.contact = is_held ? solver::TipContact::bonded : solver::TipContact::friction,
          .damping = problem.damping});
     ComparedValues early = values;
@@ -431,7 +431,7 @@ class Search {
     for (auto* column : {&early.abscissa, &early.theirs, &early.reference}) column->resize(count);
     std::map<double, std::vector<double>> predicted;  // by x/L
     for (std::size_t i = 0; i < count; ++i) {
-      while (run.time() + 0.5 * choices.time_step < values.abscissa[i]) run.step();
+      while (run.time() + 0.5 * step < values.abscissa[i]) run.step();
       for (int elements = 4; elements <= finest; elements += 2)
         for (const double side : {-1.0, 1.0}) {
           const double place = 0.5 + side / elements;

@@ -135,21 +135,27 @@ Found angle_of(const ComparedValues& values) {
   return {};
 }
 
-// The same constant added to all values.
-Found constant_of(const ComparedValues& values) {
+// The same constant added to all values, with what is said of it.
+template <class Sentence>
+Found constant_of(const ComparedValues& values, const char* name, const Sentence& sentence) {
   double sum = 0.0;
   for (std::size_t i = 0; i < values.theirs.size(); ++i) sum += values.theirs[i] - values.reference[i];
   const double constant = sum / static_cast<double>(values.theirs.size());
   Values predicted = values.reference;
   for (double& value : predicted) value += constant;
   return accepted(values,
-                  {.name = "constant-added",
+                  {.name = name,
                    .values = predicted,
                    .free = 1,
-                   .sentence = fmt::format("all values are those of the data set {} {:.5g}{}{}",
-                                           constant > 0.0 ? "plus" : "minus", std::abs(constant),
-                                           values.unit.empty() ? "" : " ", values.unit)},
+                   .sentence = sentence(constant > 0.0, std::abs(constant))},
                   patterns_tried);
+}
+
+Found constant_of(const ComparedValues& values) {
+  return constant_of(values, "constant-added", [&](bool is_more, double size) {
+    return fmt::format("all values are those of the data set {} {:.5g}{}{}", is_more ? "plus" : "minus", size,
+                       values.unit.empty() ? "" : " ", values.unit);
+  });
 }
 
 // --- shifts
@@ -243,18 +249,9 @@ Found shift_of(const ComparedValues& values) {
 // Times of events that are all late by the same time.
 Found delay_of(const ComparedValues& values) {
   if (values.abscissa_unit != "s" || values.unit != "s") return {};
-  double sum = 0.0;
-  for (std::size_t i = 0; i < values.theirs.size(); ++i) sum += values.theirs[i] - values.reference[i];
-  const double delay = sum / static_cast<double>(values.theirs.size());
-  Values predicted = values.reference;
-  for (double& time : predicted) time += delay;
-  return accepted(values,
-                  {.name = "shifted",
-                   .values = predicted,
-                   .free = 1,
-                   .sentence = fmt::format("all events are {:.3g} s {}", std::abs(delay),
-                                           delay > 0.0 ? "late" : "early")},
-                  patterns_tried);
+  return constant_of(values, "shifted", [](bool is_late, double delay) {
+    return fmt::format("all events are {:.3g} s {}", delay, is_late ? "late" : "early");
+  });
 }
 
 // --- frequencies

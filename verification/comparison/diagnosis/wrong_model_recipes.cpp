@@ -40,13 +40,6 @@ const Quantities everything =
 double mass_per_length(const data::Beam& beam) { return beam.density() * beam.area(); }
 double rigidity(const data::Beam& beam) { return beam.youngs_modulus() * beam.second_moment_of_area(); }
 
-data::Case with_second_moment(data::Case problem, double second_moment) {
-  data::BeamProperties properties = problem.beam.properties();
-  properties.second_moment_of_area = second_moment;
-  problem.beam = data::Beam(properties);
-  return problem;
-}
-
 data::Case with_damping(data::Case problem, const data::Damping& damping) {
   problem.damping = damping;
   return problem;
@@ -61,12 +54,15 @@ Inputs with_multiple(std::string_view parameter, double factor) {
   };
 }
 
-data::Case with_scheme(const data::Case& problem, double spectral_radius, double time_step) {
-  return with_settings(problem, [=](data::NumericalChoices& choices) {
-    choices.spectral_radius = spectral_radius;
-    choices.time_step = time_step;
-    choices.duration = std::max(choices.duration, time_step);
-  });
+// The time step times a factor, and another spectral radius, if one is given.
+Inputs with_scheme(double factor, std::optional<double> spectral_radius = std::nullopt) {
+  return [=](const data::Case& problem) {
+    return with_settings(problem, [=](data::NumericalChoices& choices) {
+      choices.spectral_radius = spectral_radius.value_or(choices.spectral_radius);
+      choices.time_step *= factor;
+      choices.duration = std::max(choices.duration, choices.time_step);
+    });
+  };
 }
 
 // C = eta K becomes eta omega_1^2 M, which damps the first stick mode alike.
@@ -80,26 +76,21 @@ std::optional<data::Case> if_kelvin_voigt(const data::Case& problem) {
   return problem.damping.kelvin_voigt() > 0.0 ? std::optional(problem) : std::nullopt;
 }
 
-data::Case with_friction(data::Case problem, double static_coefficient, double kinetic_coefficient) {
-  data::FrictionCoefficients coefficients = problem.friction.coefficients();
-  coefficients.static_coefficient = static_coefficient;
-  coefficients.kinetic_coefficient = kinetic_coefficient;
-  problem.friction = data::FrictionLaw(coefficients);
-  return problem;
-}
-
 // A rectangle of width b and depth d has A = b d and I = b d^3/12. About the other axis d b^3/12 = A^4/(144
 // I).
 std::optional<data::Case> about_the_other_axis(const data::Case& problem) {
   const double area = problem.beam.area(), own = problem.beam.second_moment_of_area();
   const double other = std::pow(area, 4) / (144.0 * own);
   if (std::abs(other / own - 1.0) < 1e-9) return std::nullopt;
-  return with_second_moment(problem, other);
+  return with_value(problem, "beam.second_moment_of_area", other);
 }
 
-std::optional<data::Case> unless_coulomb(const data::Case& problem, double coefficient) {
-  if (problem.friction.static_coefficient() == problem.friction.kinetic_coefficient()) return std::nullopt;
-  return with_friction(problem, coefficient, coefficient);
+// One coefficient of friction with the value of the other.
+Inputs with_coefficient_of(std::string_view changed, std::string_view other) {
+  return [=](const data::Case& problem) -> std::optional<data::Case> {
+    if (problem.friction.static_coefficient() == problem.friction.kinetic_coefficient()) return std::nullopt;
+    return with_value(problem, changed, value_of(problem, other));
+  };
 }
 
 // With the printed sign -P/(2EI) in both wave numbers: tan(beta L) = tanh(beta L), which gives the modes of P
@@ -115,6 +106,10 @@ void use_one_wave_number(StickSum& sum, const data::Case& problem) {
     mode.natural_frequency *= std::sqrt(1.0 + p / beta_squared);
     mode.oscillator_frequency = mode.natural_frequency;
   }
+}
+
+void keep_the_modes_of_the_case(StickSum& sum, const data::Case& problem) {
+  sum.modes.resize(static_cast<std::size_t>(problem.numerics.modes()));
 }
 
 void let_the_wall_move_with_the_base(StickSum& sum) {
@@ -253,10 +248,7 @@ Recipes beam_mistakes() {
   return {
       {.wrong_model = {"second-moment-as-printed", "I is the printed value, 1/100 of the correct one (E1)",
                        "Sect. 3, parameters", everything},
-       .inputs =
-           [](const data::Case& problem) {
-             return with_second_moment(problem, 0.01 * problem.beam.second_moment_of_area());
-           }},
+       .inputs = with_multiple("beam.second_moment_of_area", 0.01)},
       {.wrong_model = {"second-moment-of-other-axis", "I is taken about the other axis of the rectangle",
                        "Sect. 3, parameters", everything},
        .inputs = about_the_other_axis},
@@ -385,11 +377,7 @@ Recipes modal_equation_mistakes() {
        .knows_stick_slip = false},
       {.wrong_model = {"quasi-static-part-left-out", "the sum over the modes without S h(t)",
                        "Eqs. (12), (27)", held_motion},
-       .equations =
-           [](StickSum& sum, const data::Case&) {
-             sum.force = 0.0;
-             sum.displacement = 1.0;
-           },
+       .equations = [](StickSum& sum, const data::Case&) { sum.force = 0.0, sum.displacement = 1.0; },
        .knows_stick_slip = false},
   };
 }
@@ -401,7 +389,7 @@ Recipes response_mistakes() {
                        "Sect. 3, initial conditions", held_motion + stick_slip},
        .equations =
            [](StickSum& sum, const data::Case& problem) {
-             sum.modes.resize(static_cast<std::size_t>(problem.numerics.modes()));
+             keep_the_modes_of_the_case(sum, problem);
              for (StickSum::Mode& mode : sum.modes)
                mode.initial_rate = mode.participation - mode.rigid_participation;
            },
@@ -410,7 +398,7 @@ Recipes response_mistakes() {
                        "Sect. 3, initial conditions", held_motion},
        .equations =
            [](StickSum& sum, const data::Case& problem) {
-             sum.modes.resize(static_cast<std::size_t>(problem.numerics.modes()));
+             keep_the_modes_of_the_case(sum, problem);
              for (StickSum::Mode& mode : sum.modes) mode.initial_rate = mode.participation;
            },
        .knows_stick_slip = false},
@@ -447,10 +435,7 @@ Recipes discretisation_mistakes() {
       {.wrong_model = {"alpha-convention-swapped",
                        "alpha_f is the weight of the new state instead of the old one, so the motion grows",
                        "Sect. 3, [24]", held_motion},
-       .equations =
-           [](StickSum& sum, const data::Case& problem) {
-             sum.modes.resize(static_cast<std::size_t>(problem.numerics.modes()));
-           },
+       .equations = keep_the_modes_of_the_case,
        .scheme = with_alpha_f_of_the_new_state,
        .knows_stick_slip = false},
       {.wrong_model = {"alphas-interchanged", "alpha_m and alpha_f are interchanged", "Sect. 3, [24]",
@@ -468,23 +453,15 @@ Recipes discretisation_mistakes() {
        .knows_stick_slip = false},
       {.wrong_model = {"ten-times-the-step", "the time step is ten times that of the case", "Sect. 3, [24]",
                        held_motion + stick_slip},
-       .inputs =
-           [](const data::Case& problem) {
-             return with_scheme(problem, problem.numerics.spectral_radius(),
-                                10.0 * problem.numerics.time_step());
-           },
+       .inputs = with_scheme(10.0),
        .scheme = scheme_of_case},
       {.wrong_model = {"spectral-radius-zero", "spectral radius 0 with the time step of the case",
                        "Sect. 3, [24]", held_motion + stick_slip},
-       .inputs =
-           [](const data::Case& problem) { return with_scheme(problem, 0.0, problem.numerics.time_step()); },
+       .inputs = with_scheme(1.0, 0.0),
        .scheme = scheme_of_case},
       {.wrong_model = {"strong-algorithmic-damping", "spectral radius 0 with ten times the step",
                        "Sect. 3, [24]", held_motion + stick_slip},
-       .inputs =
-           [](const data::Case& problem) {
-             return with_scheme(problem, 0.0, 10.0 * problem.numerics.time_step());
-           },
+       .inputs = with_scheme(10.0, 0.0),
        .scheme = scheme_of_case},
   };
 }
@@ -495,8 +472,7 @@ Recipes damping_mistakes() {
                        held_motion + stick_slip},
        .inputs = [](const data::Case& problem) -> std::optional<data::Case> {
          if (problem.damping.ratio() > 0.0) return std::nullopt;
-         return with_damping(problem, data::Damping({.kelvin_voigt = problem.damping.kelvin_voigt(),
-                                                     .ratio = added_damping}));
+         return with_value(problem, "damping.ratio", added_damping);
        },
        .scheme = with_damping_added},
       {.wrong_model = {"damping-left-out", "the damping of the problem is left out", "Eq. (1)", stick_slip},
@@ -532,16 +508,10 @@ Recipes friction_law_mistakes() {
   return {
       {.wrong_model = {"kinetic-coefficient-as-limit", "mu_m limits the static friction force", "Eq. (4)",
                        Quantities{critical_amplitude} + stick_slip},
-       .inputs =
-           [](const data::Case& problem) {
-             return unless_coulomb(problem, problem.friction.kinetic_coefficient());
-           }},
+       .inputs = with_coefficient_of("friction.static_coefficient", "friction.kinetic_coefficient")},
       {.wrong_model = {"one-friction-coefficient", "friction does not fall with the sliding velocity",
                        "Eq. (7)", stick_slip},
-       .inputs =
-           [](const data::Case& problem) {
-             return unless_coulomb(problem, problem.friction.static_coefficient());
-           }},
+       .inputs = with_coefficient_of("friction.kinetic_coefficient", "friction.static_coefficient")},
       {.wrong_model = {"kinetic-friction-at-once", "friction falls to mu_m P with the first slip", "Eq. (7)",
                        stick_slip},
        .law = FrictionRule{[](const data::FrictionLaw& law, double v) {

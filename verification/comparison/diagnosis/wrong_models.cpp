@@ -47,16 +47,10 @@ bool is_of_stick_slip(Quantity quantity) {
 }
 
 data::Norm norm_of(Quantity quantity) {
-  switch (quantity) {
-    case stick_frequency:
-    case slip_frequency:
-    case force_maximum:
-    case critical_amplitude:
-    case contact_event:
-      return data::Norm::relative;
-    default:
-      return data::Norm::scale;
-  }
+  const bool is_relative = quantity == stick_frequency || quantity == slip_frequency ||
+                           quantity == force_maximum || quantity == critical_amplitude ||
+                           quantity == contact_event;
+  return is_relative ? data::Norm::relative : data::Norm::scale;
 }
 
 bool counts(Quantity quantity) {

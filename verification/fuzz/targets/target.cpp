@@ -8,10 +8,13 @@
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
+#include <filesystem>
 #include <initializer_list>
 #include <map>
+#include <stdexcept>
 #include <string>
 #include <system_error>
+#include <vector>
 
 #include "range_text.hpp"
 #include "stickslip/analytic/beam_contact_model.hpp"
@@ -24,6 +27,65 @@
 namespace stickslip::fuzz {
 
 namespace {
+
+// A required property does not hold.
+class Violation : public std::logic_error {
+ public:
+  using std::logic_error::logic_error;
+};
+
+// The parts of the input between the bytes 0x1e.
+std::vector<std::string> split(Bytes bytes) {
+  constexpr std::uint8_t separator = 0x1e;
+  std::vector<std::string> parts(1);
+  for (const std::uint8_t byte : bytes) {
+    if (byte == separator)
+      parts.emplace_back();
+    else
+      parts.back() += static_cast<char>(byte);
+  }
+  return parts;
+}
+
+// The message of the error is one line of text or more.
+void require_sentence(const std::exception& error) {
+  const std::string_view text(error.what());
+  if (text.empty()) throw Violation("an error message is empty");
+  if (std::ranges::any_of(text, [](char c) { return static_cast<unsigned char>(c) < 0x20U && c != '\n'; }))
+    throw Violation("an error message is not lines of text: " + std::string(text));
+}
+
+// Runs what may refuse its input, in lines of text.
+template <class Run>
+void allow_input_errors(const Run& run) {
+  try {
+    run();
+  } catch (const data::InputError& error) {
+    require_sentence(error);
+  }
+}
+
+// A file in memory that has a path, so that functions which read files can use it.
+class MemoryFile {
+ public:
+  MemoryFile() : descriptor_(::memfd_create("input", MFD_CLOEXEC)) {
+    if (descriptor_ < 0) throw std::system_error(errno, std::generic_category(), "memfd_create");
+  }
+  ~MemoryFile() { ::close(descriptor_); }
+  MemoryFile(const MemoryFile&) = delete;
+  MemoryFile& operator=(const MemoryFile&) = delete;
+
+  // Replaces the content of the file by `text` and returns the path.
+  [[nodiscard]] std::filesystem::path with(std::string_view text) {
+    if (::ftruncate(descriptor_, 0) != 0 ||
+        ::pwrite(descriptor_, text.data(), text.size(), 0) != static_cast<ssize_t>(text.size()))
+      throw std::system_error(errno, std::generic_category(), "the file in memory");
+    return "/proc/self/fd/" + std::to_string(descriptor_);
+  }
+
+ private:
+  int descriptor_;
+};
 
 // The numbers of a case as overrides of a file without any.
 std::vector<data::Override> overrides_of(const std::map<std::string, double>& numbers) {
@@ -178,38 +240,6 @@ void follow_event_by_event(const data::Case& problem) {
 }
 
 }  // namespace
-
-std::vector<std::string> split(Bytes bytes) {
-  constexpr std::uint8_t separator = 0x1e;
-  std::vector<std::string> parts(1);
-  for (const std::uint8_t byte : bytes) {
-    if (byte == separator)
-      parts.emplace_back();
-    else
-      parts.back() += static_cast<char>(byte);
-  }
-  return parts;
-}
-
-void require_sentence(const std::exception& error) {
-  const std::string_view text(error.what());
-  if (text.empty()) throw Violation("an error message is empty");
-  if (std::ranges::any_of(text, [](char c) { return static_cast<unsigned char>(c) < 0x20U && c != '\n'; }))
-    throw Violation("an error message is not lines of text: " + std::string(text));
-}
-
-MemoryFile::MemoryFile() : descriptor_(::memfd_create("input", MFD_CLOEXEC)) {
-  if (descriptor_ < 0) throw std::system_error(errno, std::generic_category(), "memfd_create");
-}
-
-MemoryFile::~MemoryFile() { ::close(descriptor_); }
-
-std::filesystem::path MemoryFile::with(std::string_view text) {
-  if (::ftruncate(descriptor_, 0) != 0 ||
-      ::pwrite(descriptor_, text.data(), text.size(), 0) != static_cast<ssize_t>(text.size()))
-    throw std::system_error(errno, std::generic_category(), "the file in memory");
-  return "/proc/self/fd/" + std::to_string(descriptor_);
-}
 
 void read_case_file(Bytes bytes) {
   static MemoryFile file;

@@ -2,29 +2,17 @@
 #pragma once
 
 /// Functions of arbitrary bytes that libFuzzer calls and the test suite repeats. Invalid input must cause an
-/// error message of one sentence. Any other exception, in particular a Violation, is a defect.
+/// error message of one sentence. Any other exception is a defect.
 
 #include <array>
 #include <cstdint>
-#include <filesystem>
 #include <span>
-#include <stdexcept>
-#include <string>
 #include <string_view>
-#include <vector>
-
-#include "stickslip/data/input_error.hpp"
 
 namespace stickslip::fuzz {
 
 /// The input of a target.
 using Bytes = std::span<const std::uint8_t>;
-
-/// A required property does not hold.
-class Violation : public std::logic_error {
- public:
-  using std::logic_error::logic_error;
-};
 
 /// Reads a case file and, after each byte 0x1e, an override of --set. A case must be read again with the same
 /// values.
@@ -50,36 +38,5 @@ struct Target {
 /// All targets.
 inline constexpr std::array targets{Target{"case", read_case_file}, Target{"results", read_results},
                                     Target{"ranges", parse_ranges}, Target{"respond", respond}};
-
-/// The parts of the input between the bytes 0x1e.
-[[nodiscard]] std::vector<std::string> split(Bytes bytes);
-
-/// Throws Violation unless the message of the error is one line of text.
-void require_sentence(const std::exception& error);
-
-/// Runs what may refuse its input, in one line of text.
-template <class Run>
-void allow_input_errors(const Run& run) {
-  try {
-    run();
-  } catch (const data::InputError& error) {
-    require_sentence(error);
-  }
-}
-
-/// A file in memory that has a path, so that functions which read files can use it.
-class MemoryFile {
- public:
-  MemoryFile();
-  ~MemoryFile();
-  MemoryFile(const MemoryFile&) = delete;
-  MemoryFile& operator=(const MemoryFile&) = delete;
-
-  /// Replaces the content of the file by `text` and returns the path.
-  [[nodiscard]] std::filesystem::path with(std::string_view text);
-
- private:
-  int descriptor_;
-};
 
 }  // namespace stickslip::fuzz

@@ -346,12 +346,9 @@ Samples event_driven_samples(const data::Case& problem, int modes) {
 
 // By generalised-alpha; the force, which has peaks far above mu_s P in its steps, from event to event.
 Samples finite_element_samples(data::Case problem, int elements, int steps, int force_elements) {
-  data::NumericalChoices choices = problem.numerics.choices();
-  choices.elements = elements;
-  choices.time_step = 1.0 / (steps * per_period * problem.excitation.frequency_hz());
-  problem.numerics = data::NumericalSettings(choices);
-  const studies::Sampling sampling =
-      at_samples(problem, [&](int i) { return i * steps * choices.time_step; });
+  const double step = 1.0 / (steps * per_period * problem.excitation.frequency_hz());
+  problem = with_value(with_value(problem, "numerics.elements", elements), "numerics.time_step", step);
+  const studies::Sampling sampling = at_samples(problem, [&](int i) { return i * steps * step; });
   return samples_of(studies::finite_element_history(problem, sampling),
                     studies::event_driven_history(
                         studies::finite_element_contact_model(problem, force_elements), sampling.times));

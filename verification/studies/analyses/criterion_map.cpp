@@ -215,18 +215,6 @@ std::vector<std::size_t> sample_of(std::span<const std::size_t> numbers, std::si
 
 }  // namespace
 
-std::string_view to_string(CellState state) noexcept {
-  switch (state) {
-    case CellState::stick:
-      return "stick";
-    case CellState::stick_slip:
-      return "stick-slip";
-    case CellState::no_stick_state:
-      return "no stick state";
-  }
-  return {};
-}
-
 MapAxis map_axis(std::string_view parameter, double from, double to, int count, bool logarithmic) {
   MapAxis axis{.parameter = parameter, .values = {}, .logarithmic = logarithmic};
   for (int i = 0; i < count; ++i) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -29,7 +30,10 @@ enum class CellState {
   no_stick_state  ///< P is not below the buckling load 20.19 EI/L² of the clamped-pinned beam
 };
 /// "stick", "stick-slip" or "no stick state".
-[[nodiscard]] std::string_view to_string(CellState state) noexcept;
+[[nodiscard]] constexpr std::string_view to_string(CellState state) noexcept {
+  constexpr std::array<std::string_view, 3> names{"stick", "stick-slip", "no stick state"};
+  return names[static_cast<std::size_t>(state)];
+}
 
 /// The key that an axis of a map varies, "beam.length", and its values in ascending order.
 struct MapAxis {

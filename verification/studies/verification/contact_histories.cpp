@@ -79,7 +79,7 @@ std::string published_set(const data::PrintedVerdict& panel) {
 
 std::optional<double> closed_form_first_slip(const data::Beam& beam, const data::FrictionLaw& friction,
                                              const data::HarmonicExcitation& excitation, double duration) {
-  const analytic::StickResponse response(beam, excitation, 60, analytic::SteadyPart::exact);
+  const analytic::StickResponse response(beam, excitation, closed_form_modes, analytic::SteadyPart::exact);
   const double limit = friction_limit(friction, beam);
   const auto exceeded = [&](double t) { return std::abs(response.friction_force(t)) > limit; };
   const double scan =
@@ -253,12 +253,10 @@ BeamMotionStudy beam_motion_study(const data::Case& problem, int snapshots, int 
   study.position = grid.positions;
   study.finite_element = finite_element_history(problem, grid);
   constexpr int fine = 128, coarse = 64;  // steps per time step of the finite elements
-  data::NumericalChoices choices = problem.numerics.choices();
-  choices.modes = closed_form_modes;
-  data::Case held = problem;
-  held.numerics = data::NumericalSettings(choices);
-  study.reference = study.first_slip ? free_mode_history(problem, grid, fine)
-                                     : closed_form_history(held, grid, analytic::SteadyPart::exact);
+  study.reference = study.first_slip
+                        ? free_mode_history(problem, grid, fine)
+                        : closed_form_history(with_value(problem, "numerics.modes", closed_form_modes), grid,
+                                              analytic::SteadyPart::exact);
   constexpr double always = std::numeric_limits<double>::infinity();
   const double end_of_stick = study.first_slip.value_or(always);
   study.peak = peak(study.reference);

@@ -38,13 +38,13 @@ STICKSLIP_MEMBERS(ForceMaximumStudy, (frequency_hz, "Hz"), (amplitude, "m"), (sa
                                                     const data::HarmonicExcitation& excitation,
                                                     const data::NumericalSettings& numerics);
 
-/// One point of the critical amplitude over frequency, Figs. 11 and 13: closed form with N modes.
+/// One point of the critical amplitude over frequency: the amplitude of the base from which on the tip slips.
 struct CriticalAmplitudePoint {
   double frequency_hz{};
   double critical_amplitude{};  ///< m
 };
 STICKSLIP_MEMBERS(CriticalAmplitudePoint, (frequency_hz, "Hz"), (critical_amplitude, "m"))
-/// The critical amplitude at each frequency (Hz).
+/// The critical amplitude at each frequency (Hz), Figs. 11 and 13: closed form with N modes.
 [[nodiscard]] std::vector<CriticalAmplitudePoint> critical_amplitude_curve(
     const data::Beam& beam, const data::FrictionLaw& friction, const data::NumericalSettings& numerics,
     const std::vector<double>& frequencies_hz);

@@ -451,18 +451,6 @@ void add_run(ManufacturedSpaceErrors& study, const Problem& problem, const Space
 
 }  // namespace
 
-std::string_view to_string(ManufacturedTip tip) noexcept {
-  switch (tip) {
-    case ManufacturedTip::stick:
-      return "stick";
-    case ManufacturedTip::slip:
-      return "slip";
-    case ManufacturedTip::friction:
-      return "slip, friction law";
-  }
-  return {};
-}
-
 ManufacturedSpaceErrors manufactured_space_errors(const data::Beam& beam, ManufacturedTip tip,
                                                   double load_factor, const std::vector<int>& elements) {
   const Problem problem = manufactured_problem(beam, tip, load_factor);

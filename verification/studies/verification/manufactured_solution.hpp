@@ -14,6 +14,8 @@
 ///
 /// is not a polynomial, and none of its derivatives that are used here vanishes at the tip.
 
+#include <array>
+#include <cstddef>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -31,7 +33,10 @@ enum class ManufacturedTip {
   friction  ///< free, the required tip force is that of the friction law; g = exp(-λ t), with damping
 };
 /// "stick", "slip" or "slip, friction law".
-[[nodiscard]] std::string_view to_string(ManufacturedTip tip) noexcept;
+[[nodiscard]] constexpr std::string_view to_string(ManufacturedTip tip) noexcept {
+  constexpr std::array<std::string_view, 3> names{"stick", "slip", "slip, friction law"};
+  return names[static_cast<std::size_t>(tip)];
+}
 
 /// Errors over a sequence of levels, with the predicted error of each level where theory gives one.
 struct PredictedErrors {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "studies/common/members.hpp"
+#include "studies/verification/force_maximum.hpp"
 
 namespace stickslip::studies {
 
@@ -16,12 +17,8 @@ struct ProposedRig {
   struct Frequency {
     double length{}, load{}, following_hz{}, fixed_hz{}, accuracy{};
   };
-  /// The amplitude of the base at which the tip begins to slip.
-  struct Onset {
-    double frequency_hz{}, critical_amplitude{};
-  };
-  std::vector<Frequency> frequencies;  ///< two lengths, five loads
-  std::vector<Onset> onsets;           ///< eight excitation frequencies
+  std::vector<Frequency> frequencies;          ///< two lengths, five loads
+  std::vector<CriticalAmplitudePoint> onsets;  ///< of slip, at eight excitation frequencies
 };
 
 /// Throws what data::load_case() and the criterion throw.
@@ -29,7 +26,6 @@ struct ProposedRig {
 
 STICKSLIP_MEMBERS(ProposedRig::Frequency, (length, "m"), (load, "N"), (following_hz, "Hz"), (fixed_hz, "Hz"),
                   (accuracy, "1"))
-STICKSLIP_MEMBERS(ProposedRig::Onset, (frequency_hz, "Hz"), (critical_amplitude, "m"))
 STICKSLIP_MEMBERS(ProposedRig, (frequencies), (onsets))
 
 }  // namespace stickslip::studies

@@ -50,7 +50,7 @@ TEST(SteadySliding, DeflectionIsThatOfTheMesh) {
     properties.axial_force = 4000.0;  // almost half of Euler's load
     properties.axial_direction = direction;
     const data::Beam beam(properties);
-    const data::Wall wall({.speed = -0.2});
+    const data::Wall wall(-0.2);
     const auto steady = analytic::steady_sliding(beam, paper_friction(), wall);
     EXPECT_TRUE(
         within(steady.friction_force, -4000.0 * (0.3 + 0.3 * std::exp(-0.2)), round_off(5, 1, 4000.0)));

@@ -31,7 +31,6 @@
 /// so that the bound of |d² f/dΩ²| does not grow with T. At Ω the time is 0 ≤ t ≤ T Ω_to/Ω.
 
 #include <cstddef>
-#include <limits>
 #include <map>
 #include <optional>
 #include <queue>
@@ -92,13 +91,7 @@ class BandMaximum {
   [[nodiscard]] Suprema between(double from, double to) const;
 
  private:
-  // A frequency, and what is known of the largest |f| there.
-  struct Decided {
-    double omega{};                     // rad/s
-    std::optional<ForceMaximum> force;  // nothing where `known` is all there is to know
-    Bounds known{0.0, std::numeric_limits<double>::infinity()};
-    [[nodiscard]] bool exceeds(double limit);
-  };
+  struct Decided;
   struct Interval {
     double from{}, to{};  // rad/s
     bool ends_known{};

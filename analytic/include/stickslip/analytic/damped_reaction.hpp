@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "stickslip/analytic/force_maximum.hpp"
+#include "stickslip/analytic/stick_propagator.hpp"
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/data/problem.hpp"
 
@@ -27,15 +28,11 @@ namespace stickslip::analytic {
 
 /// The numbers above.
 struct DampedReaction {
-  struct Share {
-    std::complex<double> eigenvalue;    ///< λ_k, rad/s, Re ≤ 0; one of each complex pair
-    std::complex<double> sine, cosine;  ///< u_k, N s/m; v_k, N/m
-    std::complex<double> start;         ///< z_k(0)/Ω, N s/m: 0 if the tip is held
-  };
   double quasi_static{};  ///< s = EI S'''(L) + χ P S'(L), N/m
   double inertia{};       ///< m, N s²/m; that of what is not in the N modes, 0 for SteadyPart::modal_sum
   double rate{};          ///< r, N s/m
-  std::vector<Share> shares;
+  /// Of z_k, with u_k (N s/m), v_k (N/m) and z_k(0)/Ω (N s/m), which is 0 if the tip is held.
+  std::vector<ModalShare> shares;
 };
 
 /// With SteadyPart::modal_sum the undamped limit is ModalReaction, Eq. (28), with as many modes. With SteadyPart::exact

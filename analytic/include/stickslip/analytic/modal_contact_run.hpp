@@ -89,9 +89,7 @@ class ModalContactRun {
 
  private:
   using Complex = std::complex<double>;
-  struct Slip {
-    double speed{}, force{};
-  };
+  struct Slip;
   [[nodiscard]] double falling_force(double speed);
   [[nodiscard]] Slip slip(double free_speed, double speed_before, double expected_force);
   void set_friction();

@@ -9,6 +9,14 @@
 
 namespace stickslip::analytic {
 
+/// What the coordinate z_k of a separated structure adds to a force: the real part of an x with
+/// x_t = eigenvalue x + sine sin(Ω t) + cosine cos(Ω t).
+struct ModalShare {
+  std::complex<double> eigenvalue;    ///< λ_k, rad/s, Re ≤ 0; one of each complex pair
+  std::complex<double> sine, cosine;  ///< of the load
+  std::complex<double> start{};       ///< x(0), where a phase does not begin with 0
+};
+
 /// A stick phase, exactly: with y = (ω_n T_n, T_n_t) = Re(Z z), every z_k_t = λ_k z_k + F_k(t) with
 /// Re λ_k ≤ 0 and F_k sinusoidal at Ω, plus a constant where the wall has a speed, so that
 ///
@@ -32,12 +40,8 @@ class StickPropagator {
   [[nodiscard]] double force(double t) const;
   [[nodiscard]] double force_rate(double t) const;
 
-  /// What z_k adds to f_d, as the real part of a share that obeys x_t = eigenvalue x + sine sin(Ω t) + cosine
-  /// cos(Ω t).
-  struct Share {
-    std::complex<double> eigenvalue, sine, cosine;
-  };
-  [[nodiscard]] std::vector<Share> force_shares() const;
+  /// What each z_k adds to f_d.
+  [[nodiscard]] std::vector<ModalShare> force_shares() const;
 
   /// A bound of |d² f_d/dt²| from t to t + length.
   [[nodiscard]] double curvature_bound(double t, double length) const;

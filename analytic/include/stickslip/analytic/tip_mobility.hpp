@@ -54,11 +54,7 @@ class TipMobility {
   [[nodiscard]] Complex transfer(double x, Complex s) const;
 
  private:
-  struct Scaled {
-    Complex rigidity;   // D
-    Complex frequency;  // k
-    Complex load;       // z
-  };
+  struct Scaled;
   [[nodiscard]] Scaled scaled(Complex s) const;
 
   data::Beam beam_;

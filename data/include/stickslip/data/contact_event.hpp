@@ -3,6 +3,8 @@
 
 /// The states of the contact and their changes, as both implementations report them.
 
+#include <array>
+#include <cstddef>
 #include <string_view>
 
 namespace stickslip::data {
@@ -24,7 +26,12 @@ struct ContactEvent {
 };
 
 /// The name of the enumerator: "stick", "onset".
-[[nodiscard]] std::string_view to_string(ContactState state);
-[[nodiscard]] std::string_view to_string(ContactChange change);
+[[nodiscard]] constexpr std::string_view to_string(ContactState state) noexcept {
+  return state == ContactState::stick ? "stick" : "slip";
+}
+[[nodiscard]] constexpr std::string_view to_string(ContactChange change) noexcept {
+  constexpr std::array<std::string_view, 4> names{"onset", "capture", "reversal", "graze"};
+  return names[static_cast<std::size_t>(change)];
+}
 
 }  // namespace stickslip::data

@@ -18,6 +18,12 @@ class InputError : public std::invalid_argument {
   using std::invalid_argument::invalid_argument;
 };
 
+/// Some input errors at once: a sentence in each line.
+class InputErrors : public InputError {
+ public:
+  using InputError::InputError;
+};
+
 /// The shortest decimal text that reads back as the same double: "0.1", "-2", "1e-05", "nan", "inf".
 [[nodiscard]] std::string shortest_text(double value);
 

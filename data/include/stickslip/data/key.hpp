@@ -23,8 +23,8 @@ struct CaseNumbers {
   NumericalChoices numerics;
   DampingProperties damping;
   ContactProperties contact;
-  WallProperties wall;
   Section section;
+  double wall_speed{};
 };
 
 /// Magnitudes that a quantity may have unless it is 0: far wider than any beam, and so narrow that no product

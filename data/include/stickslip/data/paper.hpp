@@ -4,6 +4,8 @@
 /// What Won, Lee and Chung (2018) print: every number with its digits and its place, and the verdicts of Figs. 4 and 5, from
 /// data/paper/printed-numbers.toml. The claims and errata of the folder are read by the tests and the report.
 
+#include <array>
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -41,7 +43,11 @@ enum class ClaimVerdict {
 };
 
 /// "holds", "holds with correction", "does not hold" or "not determined".
-[[nodiscard]] std::string_view to_string(ClaimVerdict verdict) noexcept;
+[[nodiscard]] constexpr std::string_view to_string(ClaimVerdict verdict) noexcept {
+  constexpr std::array<std::string_view, 4> names{"holds", "holds with correction", "does not hold",
+                                                  "not determined"};
+  return names[static_cast<std::size_t>(verdict)];
+}
 
 /// In the order of the page. Throws InputError if the file is missing or malformed, an id stands twice, or a
 /// value is not what its printed digits say.

@@ -208,12 +208,6 @@ class Damping {
   DampingProperties properties_;
 };
 
-/// What a Wall is built from; field names are the keys of the table [wall].
-struct WallProperties {
-  /// V, m/s, any finite value; 0 in the paper
-  double speed{};
-};
-
 /// The wall that the tip is pressed against. It does not move with the base: the paper's tip sticks while y(L) = h + u(L)
 /// is constant. A wall that moves by V t along the direction of y makes the sliding velocity v_s = y_t(L) - V, and a tip
 /// that sticks moves with V. Steady sliding on it has v_s = -V and the friction force f_d = sgn(V) μ(|V|) P. Cannot be
@@ -222,12 +216,12 @@ class Wall {
  public:
   Wall() = default;
   /// Throws FieldError.
-  explicit Wall(const WallProperties& properties);
+  explicit Wall(double speed);
 
-  [[nodiscard]] double speed() const noexcept { return properties_.speed; }
+  [[nodiscard]] double speed() const noexcept { return speed_; }
 
  private:
-  WallProperties properties_;
+  double speed_{};  // V, m/s, any finite value; 0 in the paper
 };
 
 /// What NumericalSettings are built from; field names are the keys of the table [numerics].

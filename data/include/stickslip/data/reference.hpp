@@ -173,6 +173,9 @@ struct Column {
   std::vector<double> values;
 };
 
+/// The column with this name; null if there is none.
+[[nodiscard]] const Column* find_column(const std::vector<Column>& columns, std::string_view name);
+
 /// A data set with its numbers.
 struct ReferenceTable {
   Resource resource;

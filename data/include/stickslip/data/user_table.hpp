@@ -35,7 +35,7 @@ struct UserTable {
 
   [[nodiscard]] std::size_t rows() const { return lines.size(); }
   /// Null if the file lacks it.
-  [[nodiscard]] const Column* column(std::string_view name) const;
+  [[nodiscard]] const Column* column(std::string_view name) const { return find_column(columns, name); }
   /// "theirs.csv:12"
   [[nodiscard]] std::string place(std::size_t row) const;
 };

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 #include <vector>
 
 #include "stickslip/data/problem.hpp"
@@ -52,12 +51,7 @@ class ModalStickRun {
   };
   using Modes = Eigen::Array<double, Eigen::Dynamic, 3>;  // x_1, x_2, x_3 by mode
 
-  // T^B and the outputs of a block, as factors of y = (x_1, x_2, x_3, sin(Ω t), cos(Ω t)) at its start.
-  struct Block {
-    std::array<Modes, 3> of_state;
-    std::array<Modes, 2> of_load;
-    Eigen::MatrixXd outputs;
-  };
+  struct Block;
 
   [[nodiscard]] Modes stepped(const Modes& state, double load) const;
   [[nodiscard]] Block block_of(const Output& output) const;
