@@ -8,20 +8,17 @@
 #include "stickslip/analytic/modal_reaction.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/analytic/stick_response.hpp"
-#include "stickslip/data/paper.hpp"
 #include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {
 
 using analytic::Bounds;
-using analytic::Criterion;
 using analytic::evaluate_criterion;
 using analytic::ForceMaximum;
 using analytic::ModalReactionTable;
 using analytic::SteadyPart;
 using analytic::StickResponse;
-using analytic::Verdict;
 using std::numbers::pi;
 
 StickResponse response_at(const data::Beam& beam, double hz, int modes) {
@@ -76,17 +73,6 @@ TEST(ForceMaximum, ExceedsALimitExactlyIfItsLowerBoundDoes) {
   }
 }
 
-TEST(ForceMaximum, EvaluatesTheReactionOfTheResponse) {
-  for (const double hz : telling_frequencies(paper_beam())) {
-    const StickResponse response = response_at(paper_beam(), hz, 10);
-    const ForceMaximum search = search_at(paper_beam(), hz, 10.0);
-    for (const double t : {0.0, 1e-7, 0.0123, 1.7, 9.999})
-      EXPECT_TRUE(within(search.value(t), response.friction_force(t),
-                         reference(2.0 * search.rounding(), "two evaluations, each to its rounding")))
-          << hz << " Hz, t = " << t;
-  }
-}
-
 TEST(ForceMaximum, RoundingBoundsTheDistanceToExtendedPrecision) {
   // One mode far from resonance, so that the sum has two terms.
   const analytic::ModalReaction reaction{.quasi_static = 3.7, .modes = {{157.3, -2.2}}};
@@ -106,15 +92,6 @@ TEST(ForceMaximum, RoundingBoundsTheDistanceToExtendedPrecision) {
   }
   EXPECT_LE(worst, search.rounding());
   EXPECT_GE(worst, 1e-3 * search.rounding());  // and the bound is not out of all proportion
-}
-
-TEST(ForceMaximum, FindsTheMaximumOfASinusoidAlone) {
-  // Without modes |f| = s |sin(Omega t)|: s after a quarter of a period, before that the value at the end.
-  const analytic::ModalReaction reaction{.quasi_static = -7.0, .modes = {}};
-  const Bounds whole = ForceMaximum(reaction, 2.0, 5.0).refined_to(1e-13);
-  EXPECT_TRUE(within(whole.midpoint(), 7.0, round_off(40, 1, 7.0)));
-  const Bounds part = ForceMaximum(reaction, 2.0, 0.3).refined_to(1e-13);
-  EXPECT_TRUE(within(part.midpoint(), 7.0 * std::sin(0.6), round_off(20, 1, 7.0)));
 }
 
 TEST(ForceMaximum, RefusesWhatCannotBeSearched) {
@@ -184,28 +161,7 @@ TEST(ModalReactionTable, RefusesFrequenciesOutsideItsRange) {
   EXPECT_THROW(ModalReactionTable(0.0, 21.0, 3), data::InputError);  // over the buckling load
 }
 
-Criterion criterion_of(double frequency_hz, double amplitude, SteadyPart steady = SteadyPart::modal_sum) {
-  return evaluate_criterion(paper_beam(), paper_friction(), shaking(frequency_hz, amplitude), 10.0, 10,
-                            steady);
-}
-
 STICKSLIP_VERIFIES(Criterion, "A6");
-TEST(Criterion, ForceIsThatOfTheStickResponse) {
-  const auto bounds = StickResponse(paper_beam(), shaking(35.0, 0.7e-3)).max_abs_friction_force(10.0);
-  const Criterion criterion = criterion_of(35.0, 0.7e-3);
-  EXPECT_TRUE(within(criterion.force_max.lower, bounds.lower, round_off(1, 1, bounds.lower)));
-  EXPECT_TRUE(within(criterion.force_max.upper, bounds.upper, round_off(1, 1, bounds.upper)));
-}
-
-TEST(Criterion, CriticalAmplitudeIgnoresTheAmplitude) {
-  const Criterion none = criterion_of(35.0, 0.0), some = criterion_of(35.0, 1e-3);
-  EXPECT_EQ(none.critical_amplitude.lower, some.critical_amplitude.lower);
-  EXPECT_EQ(none.critical_amplitude.upper, some.critical_amplitude.upper);
-  EXPECT_GT(none.critical_amplitude.lower, 0.0);
-  EXPECT_EQ(none.force_max.upper, 0.0);
-  EXPECT_EQ(none.verdict, Verdict::stick);
-}
-
 TEST(Criterion, CriticalAmplitudeBoundsInvertTheForceBounds) {
   const auto enclosed = [](double width) {
     return evaluate_criterion(paper_beam(), paper_friction(), shaking(35.0, 1e-3), 1.0, 10,
@@ -219,22 +175,6 @@ TEST(Criterion, CriticalAmplitudeBoundsInvertTheForceBounds) {
     EXPECT_GT(bounds.upper, critical) << width;
     EXPECT_GT(bounds.upper, bounds.lower * (1.0 + 1e-6)) << "no bounds, but a value";
   }
-}
-
-TEST(Criterion, RefusesABeamWithoutContactOrBuckledAndSaysWhy) {
-  const double buckling = analytic::stick_buckling_load(paper_beam());
-  for (const double force : {-500.0, 0.0, buckling, 2.0 * buckling}) {
-    SCOPED_TRACE(force);
-    const data::Beam beam = paper_beam_with_axial_force(force);
-    expect_error_message<data::InputError>(
-        [&] { (void)evaluate_criterion(beam, paper_friction(), shaking(15.0, 1e-3), 10.0); },
-        {"beam.axial_force is ", "positive"});
-  }
-}
-
-TEST(Criterion, RefusesABadDuration) {
-  EXPECT_THROW((void)evaluate_criterion(paper_beam(), paper_friction(), shaking(15.0, 1e-3), 0.0),
-               std::invalid_argument);
 }
 
 // --- The largest force over a band of frequencies
