@@ -95,16 +95,6 @@ TEST(StickSlipIntegrator, FrictionForceMeetsBalanceAndLaw) {
   EXPECT_LT(stuck, 380);
 }
 
-TEST(StickSlipIntegrator, CapturesAtTheFirstStepBelowThreshold) {
-  // v = 1.3 - 1.5 t: 0.25 m/s after ten steps, 0.145 m/s after eleven.
-  const auto slider = run_from_slip(
-      sliding_mass, {.time_step = 0.07, .spectral_radius = 0.9, .velocity_threshold = 0.2}, 0.0, 1.3, 0.8);
-  ASSERT_EQ(slider->events().size(), 1u);
-  EXPECT_EQ(slider->events().front().change, data::ContactChange::capture);
-  EXPECT_DOUBLE_EQ(slider->events().front().time, 0.77);
-  EXPECT_TRUE(within(slider->events().front().residual_velocity, 0.145, round_off(11, 1, 1.3)));
-}
-
 TEST(StickSlipIntegrator, CapturesAVelocityThatIsTheThresholdItself) {
   // Nothing acts on the mass, so that its velocity stays 2^-10 m/s to the last bit.
   const double velocity = 0x1p-10;
@@ -211,7 +201,7 @@ TEST(StickSlipIntegrator, RefusesAStartOfAnotherSize) {
   EXPECT_THROW(mass.start_slipping(one, two), std::invalid_argument);
 }
 
-TEST(StickSlipIntegrator, FrictionLawHoldsInTheLongestStep) {
+TEST(StickSlipIntegrator, FrictionLawHoldsInTheLongestStepAndNoLongerOneIsTaken) {
   // At spectral radius 0 the balance holds at the end of the step: m (2 a_1 - a_0) = -mu(v_1) N with
   // v_1 = v_0 + h (3 a_1 - a_0)/2. The step is 99 % of the longest one, 4 m/(3 N (mu_s - mu_m) alpha).
   const data::FrictionCoefficients weakening{
@@ -231,6 +221,11 @@ TEST(StickSlipIntegrator, FrictionLawHoldsInTheLongestStep) {
                        round_off(20, 1, normal_force)))
         << "v_0 = " << v0 << ", v_1 = " << v1;
   }
+  StickSlipIntegrator slider(contact_system({.normal_force = normal_force, .friction = weakening}),
+                             {.time_step = 1.02 * h, .spectral_radius = 0.0});
+  slider.start_slipping(scalar(0.0), scalar(2.0));
+  expect_error_message<std::runtime_error>([&] { slider.step(); },
+                                           {"time_step = 0.2992 s", "about 0.296296 s"});
 }
 
 TEST(StickSlipIntegrator, StopsWhenItsStateIsNoLongerFinite) {
@@ -254,16 +249,6 @@ TEST(StickSlipIntegrator, RefusesMatricesWithoutFactorisation) {
   StickSlipIntegrator stuck(cancelling, {.time_step = 1.0, .spectral_radius = 1.0});
   for (int attempt = 0; attempt < 2; ++attempt)
     EXPECT_THROW(stuck.start_stuck(zero, zero), std::runtime_error);
-}
-
-TEST(StickSlipIntegrator, StopsWhereTheLawIsTooSteepForTheStep) {
-  StickSlipIntegrator slider(
-      contact_system({.normal_force = 1e3,
-                      .friction = {.static_coefficient = 1.0, .kinetic_coefficient = 0.0, .decay = 1e3}}),
-      {.time_step = 0.1, .spectral_radius = 1.0});
-  slider.start_slipping(scalar(0.0), scalar(1.0));
-  const std::string message = error_message_of<std::runtime_error>([&] { slider.step(); });
-  EXPECT_NE(message.find("time_step = 0.1 s"), std::string::npos) << message;
 }
 
 STICKSLIP_VERIFIES(ContactScheme, "F6");
@@ -416,17 +401,6 @@ TEST(ContactChanges, AreBookedAsCaptureLoss) {
   EXPECT_TRUE(within(balance_of_the_pair(settings).capture_loss, expected, round_off(30, 1, expected)));
 }
 
-TEST(EnergyRecorder, OverwrittenVelocityLeavesAResidual) {
-  // As the paper states it: (1/2) v.M v falls by more or less than the impulse takes.
-  const auto residual = [](ContactScheme scheme) {
-    return std::abs(
-        balance_of_the_pair(
-            {.time_step = 0.003, .spectral_radius = 1.0, .velocity_threshold = 0.05, .scheme = scheme})
-            .residual());
-  };
-  EXPECT_GT(residual(ContactScheme::paper), 100.0 * residual(ContactScheme::located));
-}
-
 TEST(EnergyRecorder, BooksNoImpulseOfAContactOnASpring) {
   // The slider comes to rest while the mass still moves.
   solver::ContactSystem system = contact_system(oscillating_mass);
@@ -480,19 +454,6 @@ using solver::GeneralizedAlpha;
 using solver::Kinematics;
 
 STICKSLIP_VERIFIES(GeneralizedAlpha, "F5");
-TEST(GeneralizedAlpha, WeightsOfTheLimitsAreTheKnownMethods) {
-  const GeneralizedAlpha trapezoidal(1.0);  // mid-point form of the average acceleration method
-  EXPECT_DOUBLE_EQ(trapezoidal.alpha_m(), 0.5);
-  EXPECT_DOUBLE_EQ(trapezoidal.alpha_f(), 0.5);
-  EXPECT_DOUBLE_EQ(trapezoidal.beta(), 0.25);
-  EXPECT_DOUBLE_EQ(trapezoidal.gamma(), 0.5);
-  const GeneralizedAlpha annihilating(0.0);  // asymptotic annihilation
-  EXPECT_DOUBLE_EQ(annihilating.alpha_m(), -1.0);
-  EXPECT_DOUBLE_EQ(annihilating.alpha_f(), 0.0);
-  EXPECT_DOUBLE_EQ(annihilating.beta(), 1.0);
-  EXPECT_DOUBLE_EQ(annihilating.gamma(), 1.5);
-}
-
 TEST(GeneralizedAlpha, RefusesASpectralRadiusOutsideZeroToOne) {
   for (const double radius : {-0.1, 1.1, std::nan("")})
     EXPECT_THROW(GeneralizedAlpha{radius}, std::invalid_argument);
@@ -528,20 +489,6 @@ TEST(GeneralizedAlpha, AmplificationIsThatOfThePublishedEquations) {
       for (std::size_t i = 0; i < 3; ++i)
         EXPECT_TRUE(within(computed[i], published[i], round_off(30, 100, 1.0))) << radius << " " << omega;
     }
-}
-
-TEST(GeneralizedAlpha, SpectralRadiusAtInfinityIsAsAsked) {
-  // All three eigenvalues meet there, so that an error e of the matrix moves them by e^(1/3); at omega h =
-  // 1e4 the matrix is 1/(omega h)^2 from its limit.
-  for (const double radius : {0.0, 0.3, 0.5, 0.9, 1.0})
-    EXPECT_TRUE(within(moduli(radius, 1e4).front(), radius,
-                       discretisation(std::cbrt(1e-8), 4.0, "(omega h)^(-2/3)")));
-}
-
-TEST(GeneralizedAlpha, TakesTheLoadAtTheAlphaLevel) {
-  EXPECT_DOUBLE_EQ(GeneralizedAlpha(1.0).load_time(2.0, 0.1), 2.05);
-  EXPECT_DOUBLE_EQ(GeneralizedAlpha(0.0).load_time(2.0, 0.1), 2.1);
-  EXPECT_DOUBLE_EQ(GeneralizedAlpha(0.5).load_time(0.0, 0.3), 0.2);
 }
 
 }  // namespace
