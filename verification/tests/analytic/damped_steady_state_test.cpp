@@ -80,26 +80,6 @@ TEST(DampedSteadyState, IsClampedInTheBaseAndHeldOrFreeAtTheTip) {
   }
 }
 
-TEST(DampedSteadyState, DerivativesAreThoseOfTheDisplacement) {
-  // Central differences of eighth order: the error is d^8/630 of the ninth derivative, and eps/d of the
-  // function.
-  const Vibration v = vibration(500.0, 70.0, 5e-4, TipSupport::held);
-  const DampedSteadyState solution = v.solution();
-  constexpr double d = 0.01;
-  const double weights[] = {4.0 / 5.0, -1.0 / 5.0, 4.0 / 105.0, -1.0 / 280.0};
-  for (int order = 0; order < 4; ++order)
-    for (const double x : {0.3, 1.1, 1.9}) {
-      Complex difference = 0.0;
-      for (int k = 1; k <= 4; ++k)
-        difference += weights[k - 1] / d *
-                      (solution.derivative(order, x + k * d) - solution.derivative(order, x - k * d));
-      const double truncation = std::pow(d, 8) / 630.0 * largest_derivative(solution, order + 9);
-      EXPECT_TRUE(within(difference, solution.derivative(order + 1, x),
-                         discretisation(truncation + rounding(largest_derivative(solution, order) / d).value,
-                                        1.0, "d^8/630 of the ninth derivative, eps/d of the function")));
-    }
-}
-
 // Simpson's rule for complex functions; n even.
 template <class Function>
 Complex integral(const Function& function, int n) {

@@ -21,20 +21,15 @@ using analytic::SteadyPart;
 using analytic::StickResponse;
 using std::numbers::pi;
 
-StickResponse response_at(const data::Beam& beam, double hz, int modes) {
-  return StickResponse(beam, data::HarmonicExcitation({.frequency_hz = hz, .amplitude = 1.0}), modes);
+ForceMaximum search_at(double hz, double duration) {
+  const StickResponse response(paper_beam(), shaking(hz, 1.0), 10);
+  return ForceMaximum(response.reaction(), 2.0 * pi * hz, duration);
 }
-
-ForceMaximum search_at(const data::Beam& beam, double hz, double duration, int modes = 10) {
-  return ForceMaximum(response_at(beam, hz, modes).reaction(), 2.0 * pi * hz, duration);
-}
-
-double first_frequency(const data::Beam& beam) { return analytic::stick_modes(beam, 1)[0].frequency_hz(); }
 
 // Off resonance, in it to the last bit, and so near that the beat is as long as the run or a thousandth of
 // it.
-std::vector<double> telling_frequencies(const data::Beam& beam) {
-  const double resonance = first_frequency(beam);
+std::vector<double> telling_frequencies() {
+  const double resonance = analytic::stick_modes(paper_beam(), 1).front().frequency_hz();
   std::vector<double> all{0.3, 7.0, 35.0, 90.0, 400.0};
   for (const double detuning : {0.0, 1e-9, 1e-4, 0.031, 0.032, 0.05, 0.5, -0.0315})
     all.push_back(resonance + detuning);
@@ -43,9 +38,9 @@ std::vector<double> telling_frequencies(const data::Beam& beam) {
 
 STICKSLIP_VERIFIES(ForceMaximum, "A5");
 TEST(ForceMaximum, EnclosesEverySampleAndIsAttained) {
-  for (const double hz : telling_frequencies(paper_beam())) {
+  for (const double hz : telling_frequencies()) {
     constexpr double duration = 0.8;
-    const ForceMaximum search = search_at(paper_beam(), hz, duration);
+    const ForceMaximum search = search_at(hz, duration);
     for (const double width : {0.5, 1e-2, 1e-10, 1e-13}) {
       const Bounds bounds = search.refined_to(width);
       EXPECT_LE(bounds.upper - bounds.lower, width * bounds.lower + 3.0 * search.rounding());
@@ -63,8 +58,8 @@ TEST(ForceMaximum, EnclosesEverySampleAndIsAttained) {
 }
 
 TEST(ForceMaximum, ExceedsALimitExactlyIfItsLowerBoundDoes) {
-  for (const double hz : telling_frequencies(paper_beam())) {
-    const ForceMaximum search = search_at(paper_beam(), hz, 2.0);
+  for (const double hz : telling_frequencies()) {
+    const ForceMaximum search = search_at(hz, 2.0);
     const Bounds bounds = search.refined_to();
     for (const double share : {1e-3, 0.3, 0.9, 0.999, 1.0 - 1e-7, 1.0 - 1e-9})
       EXPECT_TRUE(search.exceeds(share * bounds.lower)) << hz << " Hz, " << share;
@@ -104,20 +99,6 @@ TEST(ForceMaximum, RefusesWhatCannotBeSearched) {
   for (const double width : {0.0, 1e-14, 1.0, nan})
     EXPECT_THROW((void)ForceMaximum(reaction, 1.0, 1.0).refined_to(width), std::invalid_argument) << width;
   EXPECT_THROW((void)ForceMaximum(reaction, 1e6, 1e9).refined_to(), std::invalid_argument);
-}
-
-STICKSLIP_VERIFIES(ModalReaction, "A5");
-TEST(ModalReaction, IsTheForceOfTheResponseWithoutItsExcitation) {
-  const StickResponse response = response_at(paper_beam(), 35.0, 6);
-  const analytic::ModalReaction of_beam = analytic::modal_reaction(paper_beam(), 6);
-  const analytic::ModalReaction of_response = response.reaction();
-  EXPECT_EQ(of_response.quasi_static, of_beam.quasi_static);
-  ASSERT_EQ(of_response.modes.size(), 6u);
-  for (std::size_t n = 0; n < 6; ++n) {
-    EXPECT_EQ(of_response.modes[n].angular_frequency, of_beam.modes[n].angular_frequency);
-    EXPECT_TRUE(within(of_response.modes[n].coefficient, of_beam.modes[n].coefficient,
-                       round_off(4, 1, of_beam.modes[n].coefficient)));
-  }
 }
 
 double load_factor(const data::Beam& beam) {
