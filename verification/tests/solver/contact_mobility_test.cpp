@@ -6,7 +6,6 @@
 #include "stickslip/solver/beam_simulation.hpp"
 #include "stickslip/solver/contact_mobility.hpp"
 #include "stickslip/solver/generalized_alpha.hpp"
-#include "support/contact_models.hpp"
 #include "support/testing.hpp"
 
 namespace stickslip::testing {

@@ -10,7 +10,6 @@
 #include "stickslip/solver/beam_simulation.hpp"
 #include "stickslip/solver/modal_analysis.hpp"
 #include "studies/common/convergence.hpp"
-#include "support/contact_models.hpp"
 #include "support/testing.hpp"
 
 namespace stickslip::testing {
