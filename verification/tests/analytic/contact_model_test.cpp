@@ -6,7 +6,6 @@
 #include "analytic/gsl.hpp"
 #include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/analytic/event_driven.hpp"
-#include "stickslip/analytic/slip_modes.hpp"
 #include "stickslip/analytic/stick_response.hpp"
 #include "support/contact_models.hpp"
 #include "support/testing.hpp"
@@ -126,34 +125,6 @@ TEST(BeamContactModel, StiffnessesAreTheEnergiesOfItsShapes) {
   }
 }
 
-TEST(BeamContactModel, DisplacementMatchesBaseAtClampAndWallAtTip) {
-  const BeamContactModel beam = beam_model(4);
-  analytic::EventDriven run(beam.model());
-  for (const double t : {0.003, 0.011, 0.05}) {
-    run.advance_to(t);
-    ASSERT_EQ(run.state(), data::ContactState::stick);
-    EXPECT_TRUE(within(absolute_displacement(beam.shapes(0.0), run), 1e-3 * std::sin(50.0 * pi * t),
-                       round_off(20, 50.0 * pi * t, 1e-3)));
-    EXPECT_TRUE(within(absolute_displacement(beam.shapes(length), run), 0.0, round_off(20, 8.0, 1e-3)));
-  }
-}
-
-TEST(BeamContactModel, SlipFrequenciesConvergeWithOrderThree) {
-  // P N^-3 + N^-5: steeper than 3 while the second term counts, never less steep in the end; 0.2 for the wave
-  // numbers, which are proportional to n + 1/4 and not to n.
-  const auto exact = analytic::slip_modes(paper_beam(), 3);
-  for (std::size_t mode = 0; mode < exact.size(); ++mode) {
-    std::vector<double> inverse, errors;
-    for (const int n : {10, 20, 40, 80}) {
-      const auto computed = free_contact_frequencies(beam_model(n).model(), 3);
-      inverse.push_back(1.0 / n);
-      errors.push_back(std::abs(computed[mode] / exact[mode].angular_frequency() - 1.0));
-    }
-    EXPECT_GT(observed_order(inverse, errors), 2.8) << mode + 1;
-    EXPECT_LT(errors.back(), 1e-8) << mode + 1;
-  }
-}
-
 TEST(BeamContactModel, HoldingForceErrorIsThatOfOmittedModes) {
   // Undamped modes are apart in stick: what N of them leave out of f_d is the sum of a_n T_tt + l_n T with T
   // = steady (sin(Omega t) - Omega/omega_n sin(omega_n t)), less than the sum of the amplitudes. The free
@@ -254,13 +225,6 @@ TEST(BeamContactModel, RefusesABeamWithoutContactOrPastBuckling) {
                                            {"beam.axial_force"});
   }
   EXPECT_THROW(beam_model(0), std::invalid_argument);
-}
-
-STICKSLIP_VERIFIES(FreeContactFrequencies, "D2");
-TEST(FreeContactFrequencies, AreComplexAboveTheFlutterLoad) {
-  // Beck's column flutters at 20.05 EI/L^2 = 83.54 kN, below the stick state's 84.1 kN.
-  EXPECT_EQ(free_contact_frequencies(beam_model(40, {}, 83e3).model(), 41).size(), 41u);
-  EXPECT_THROW((void)free_contact_frequencies(beam_model(40, {}, 84e3).model(), 3), std::runtime_error);
 }
 
 }  // namespace

@@ -2,9 +2,6 @@
 /// The damped steady vibration in closed form: its equation and boundary conditions, its dissipation and its force.
 
 #include "stickslip/analytic/damped_steady_state.hpp"
-#include "stickslip/analytic/slip_modes.hpp"
-#include "stickslip/analytic/stick_modes.hpp"
-#include "stickslip/analytic/stick_response.hpp"
 #include "support/testing.hpp"
 #include "support/vibration.hpp"
 
@@ -83,26 +80,6 @@ TEST(DampedSteadyState, IsClampedInTheBaseAndHeldOrFreeAtTheTip) {
   }
 }
 
-TEST(DampedSteadyState, DerivativesAreThoseOfTheDisplacement) {
-  // Central differences of eighth order: the error is d^8/630 of the ninth derivative, and eps/d of the
-  // function.
-  const Vibration v = vibration(500.0, 70.0, 5e-4, TipSupport::held);
-  const DampedSteadyState solution = v.solution();
-  constexpr double d = 0.01;
-  const double weights[] = {4.0 / 5.0, -1.0 / 5.0, 4.0 / 105.0, -1.0 / 280.0};
-  for (int order = 0; order < 4; ++order)
-    for (const double x : {0.3, 1.1, 1.9}) {
-      Complex difference = 0.0;
-      for (int k = 1; k <= 4; ++k)
-        difference += weights[k - 1] / d *
-                      (solution.derivative(order, x + k * d) - solution.derivative(order, x - k * d));
-      const double truncation = std::pow(d, 8) / 630.0 * largest_derivative(solution, order + 9);
-      EXPECT_TRUE(within(difference, solution.derivative(order + 1, x),
-                         discretisation(truncation + rounding(largest_derivative(solution, order) / d).value,
-                                        1.0, "d^8/630 of the ninth derivative, eps/d of the function")));
-    }
-}
-
 // Simpson's rule for complex functions; n even.
 template <class Function>
 Complex integral(const Function& function, int n) {
@@ -132,28 +109,6 @@ TEST(DampedSteadyState, DissipatesTheSquaredCurvatureRate) {
                discretisation(std::abs(fine - coarse) + rounding(fine).value, 1.0, "Simpson's rule, halved")))
         << v.name();
   }
-}
-
-TEST(DampedSteadyState, FrictionForceBalancesTheInertiaOfTheBeam) {
-  // P = 0. With G = (3 xi^2 - xi^3)/2, which has G'''' = 0 and moves the tip by 1: f = rho A Omega^2 int G Y
-  // dx + 3 D A0/L^3.
-  for (const double hz : {5.0, 25.0, 70.0, 400.0})
-    for (const double eta : {6.4e-5, 5e-3}) {
-      const Vibration v = vibration(0.0, hz, eta, TipSupport::held);
-      const DampedSteadyState solution = v.solution();
-      const auto weighted = [&](double x) {
-        const double xi = x / length;
-        return 0.5 * xi * xi * (3.0 - xi) * solution.displacement(x);
-      };
-      const double inertia = mass_per_length * v.omega() * v.omega();
-      const Complex fine = inertia * integral(weighted, 4000), coarse = inertia * integral(weighted, 2000);
-      const Complex static_force = 3.0 * complex_rigidity(v) * amplitude / (length * length * length);
-      EXPECT_TRUE(within(
-          solution.friction_force(), fine + static_force,
-          discretisation(std::abs(fine - coarse) + rounding(std::abs(fine) + std::abs(static_force)).value,
-                         1.0, "Simpson's rule, halved")))
-          << v.name();
-    }
 }
 
 TEST(DampedSteadyState, RefusesModalDamping) {

@@ -8,36 +8,28 @@
 #include "stickslip/analytic/modal_reaction.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/analytic/stick_response.hpp"
-#include "stickslip/data/paper.hpp"
 #include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {
 
 using analytic::Bounds;
-using analytic::Criterion;
 using analytic::evaluate_criterion;
 using analytic::ForceMaximum;
 using analytic::ModalReactionTable;
 using analytic::SteadyPart;
 using analytic::StickResponse;
-using analytic::Verdict;
 using std::numbers::pi;
 
-StickResponse response_at(const data::Beam& beam, double hz, int modes) {
-  return StickResponse(beam, data::HarmonicExcitation({.frequency_hz = hz, .amplitude = 1.0}), modes);
+ForceMaximum search_at(double hz, double duration) {
+  const StickResponse response(paper_beam(), shaking(hz, 1.0), 10);
+  return ForceMaximum(response.reaction(), 2.0 * pi * hz, duration);
 }
-
-ForceMaximum search_at(const data::Beam& beam, double hz, double duration, int modes = 10) {
-  return ForceMaximum(response_at(beam, hz, modes).reaction(), 2.0 * pi * hz, duration);
-}
-
-double first_frequency(const data::Beam& beam) { return analytic::stick_modes(beam, 1)[0].frequency_hz(); }
 
 // Off resonance, in it to the last bit, and so near that the beat is as long as the run or a thousandth of
 // it.
-std::vector<double> telling_frequencies(const data::Beam& beam) {
-  const double resonance = first_frequency(beam);
+std::vector<double> telling_frequencies() {
+  const double resonance = analytic::stick_modes(paper_beam(), 1).front().frequency_hz();
   std::vector<double> all{0.3, 7.0, 35.0, 90.0, 400.0};
   for (const double detuning : {0.0, 1e-9, 1e-4, 0.031, 0.032, 0.05, 0.5, -0.0315})
     all.push_back(resonance + detuning);
@@ -46,9 +38,9 @@ std::vector<double> telling_frequencies(const data::Beam& beam) {
 
 STICKSLIP_VERIFIES(ForceMaximum, "A5");
 TEST(ForceMaximum, EnclosesEverySampleAndIsAttained) {
-  for (const double hz : telling_frequencies(paper_beam())) {
+  for (const double hz : telling_frequencies()) {
     constexpr double duration = 0.8;
-    const ForceMaximum search = search_at(paper_beam(), hz, duration);
+    const ForceMaximum search = search_at(hz, duration);
     for (const double width : {0.5, 1e-2, 1e-10, 1e-13}) {
       const Bounds bounds = search.refined_to(width);
       EXPECT_LE(bounds.upper - bounds.lower, width * bounds.lower + 3.0 * search.rounding());
@@ -66,24 +58,13 @@ TEST(ForceMaximum, EnclosesEverySampleAndIsAttained) {
 }
 
 TEST(ForceMaximum, ExceedsALimitExactlyIfItsLowerBoundDoes) {
-  for (const double hz : telling_frequencies(paper_beam())) {
-    const ForceMaximum search = search_at(paper_beam(), hz, 2.0);
+  for (const double hz : telling_frequencies()) {
+    const ForceMaximum search = search_at(hz, 2.0);
     const Bounds bounds = search.refined_to();
     for (const double share : {1e-3, 0.3, 0.9, 0.999, 1.0 - 1e-7, 1.0 - 1e-9})
       EXPECT_TRUE(search.exceeds(share * bounds.lower)) << hz << " Hz, " << share;
     for (const double share : {1.0 + 1e-9, 1.0 + 1e-7, 1.001, 1.1, 3.0, 1e6})
       EXPECT_FALSE(search.exceeds(share * bounds.upper)) << hz << " Hz, " << share;
-  }
-}
-
-TEST(ForceMaximum, EvaluatesTheReactionOfTheResponse) {
-  for (const double hz : telling_frequencies(paper_beam())) {
-    const StickResponse response = response_at(paper_beam(), hz, 10);
-    const ForceMaximum search = search_at(paper_beam(), hz, 10.0);
-    for (const double t : {0.0, 1e-7, 0.0123, 1.7, 9.999})
-      EXPECT_TRUE(within(search.value(t), response.friction_force(t),
-                         reference(2.0 * search.rounding(), "two evaluations, each to its rounding")))
-          << hz << " Hz, t = " << t;
   }
 }
 
@@ -108,15 +89,6 @@ TEST(ForceMaximum, RoundingBoundsTheDistanceToExtendedPrecision) {
   EXPECT_GE(worst, 1e-3 * search.rounding());  // and the bound is not out of all proportion
 }
 
-TEST(ForceMaximum, FindsTheMaximumOfASinusoidAlone) {
-  // Without modes |f| = s |sin(Omega t)|: s after a quarter of a period, before that the value at the end.
-  const analytic::ModalReaction reaction{.quasi_static = -7.0, .modes = {}};
-  const Bounds whole = ForceMaximum(reaction, 2.0, 5.0).refined_to(1e-13);
-  EXPECT_TRUE(within(whole.midpoint(), 7.0, round_off(40, 1, 7.0)));
-  const Bounds part = ForceMaximum(reaction, 2.0, 0.3).refined_to(1e-13);
-  EXPECT_TRUE(within(part.midpoint(), 7.0 * std::sin(0.6), round_off(20, 1, 7.0)));
-}
-
 TEST(ForceMaximum, RefusesWhatCannotBeSearched) {
   const analytic::ModalReaction reaction{.quasi_static = 1.0, .modes = {}};
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -127,20 +99,6 @@ TEST(ForceMaximum, RefusesWhatCannotBeSearched) {
   for (const double width : {0.0, 1e-14, 1.0, nan})
     EXPECT_THROW((void)ForceMaximum(reaction, 1.0, 1.0).refined_to(width), std::invalid_argument) << width;
   EXPECT_THROW((void)ForceMaximum(reaction, 1e6, 1e9).refined_to(), std::invalid_argument);
-}
-
-STICKSLIP_VERIFIES(ModalReaction, "A5");
-TEST(ModalReaction, IsTheForceOfTheResponseWithoutItsExcitation) {
-  const StickResponse response = response_at(paper_beam(), 35.0, 6);
-  const analytic::ModalReaction of_beam = analytic::modal_reaction(paper_beam(), 6);
-  const analytic::ModalReaction of_response = response.reaction();
-  EXPECT_EQ(of_response.quasi_static, of_beam.quasi_static);
-  ASSERT_EQ(of_response.modes.size(), 6u);
-  for (std::size_t n = 0; n < 6; ++n) {
-    EXPECT_EQ(of_response.modes[n].angular_frequency, of_beam.modes[n].angular_frequency);
-    EXPECT_TRUE(within(of_response.modes[n].coefficient, of_beam.modes[n].coefficient,
-                       round_off(4, 1, of_beam.modes[n].coefficient)));
-  }
 }
 
 double load_factor(const data::Beam& beam) {
@@ -184,28 +142,7 @@ TEST(ModalReactionTable, RefusesFrequenciesOutsideItsRange) {
   EXPECT_THROW(ModalReactionTable(0.0, 21.0, 3), data::InputError);  // over the buckling load
 }
 
-Criterion criterion_of(double frequency_hz, double amplitude, SteadyPart steady = SteadyPart::modal_sum) {
-  return evaluate_criterion(paper_beam(), paper_friction(), shaking(frequency_hz, amplitude), 10.0, 10,
-                            steady);
-}
-
 STICKSLIP_VERIFIES(Criterion, "A6");
-TEST(Criterion, ForceIsThatOfTheStickResponse) {
-  const auto bounds = StickResponse(paper_beam(), shaking(35.0, 0.7e-3)).max_abs_friction_force(10.0);
-  const Criterion criterion = criterion_of(35.0, 0.7e-3);
-  EXPECT_TRUE(within(criterion.force_max.lower, bounds.lower, round_off(1, 1, bounds.lower)));
-  EXPECT_TRUE(within(criterion.force_max.upper, bounds.upper, round_off(1, 1, bounds.upper)));
-}
-
-TEST(Criterion, CriticalAmplitudeIgnoresTheAmplitude) {
-  const Criterion none = criterion_of(35.0, 0.0), some = criterion_of(35.0, 1e-3);
-  EXPECT_EQ(none.critical_amplitude.lower, some.critical_amplitude.lower);
-  EXPECT_EQ(none.critical_amplitude.upper, some.critical_amplitude.upper);
-  EXPECT_GT(none.critical_amplitude.lower, 0.0);
-  EXPECT_EQ(none.force_max.upper, 0.0);
-  EXPECT_EQ(none.verdict, Verdict::stick);
-}
-
 TEST(Criterion, CriticalAmplitudeBoundsInvertTheForceBounds) {
   const auto enclosed = [](double width) {
     return evaluate_criterion(paper_beam(), paper_friction(), shaking(35.0, 1e-3), 1.0, 10,
@@ -219,22 +156,6 @@ TEST(Criterion, CriticalAmplitudeBoundsInvertTheForceBounds) {
     EXPECT_GT(bounds.upper, critical) << width;
     EXPECT_GT(bounds.upper, bounds.lower * (1.0 + 1e-6)) << "no bounds, but a value";
   }
-}
-
-TEST(Criterion, RefusesABeamWithoutContactOrBuckledAndSaysWhy) {
-  const double buckling = analytic::stick_buckling_load(paper_beam());
-  for (const double force : {-500.0, 0.0, buckling, 2.0 * buckling}) {
-    SCOPED_TRACE(force);
-    const data::Beam beam = paper_beam_with_axial_force(force);
-    expect_error_message<data::InputError>(
-        [&] { (void)evaluate_criterion(beam, paper_friction(), shaking(15.0, 1e-3), 10.0); },
-        {"beam.axial_force is ", "positive"});
-  }
-}
-
-TEST(Criterion, RefusesABadDuration) {
-  EXPECT_THROW((void)evaluate_criterion(paper_beam(), paper_friction(), shaking(15.0, 1e-3), 0.0),
-               std::invalid_argument);
 }
 
 // --- The largest force over a band of frequencies

@@ -27,7 +27,6 @@ struct Belt {
     return 2.0 / omega() * (pi - std::atan(omega() * excess() / speed));
   }
   [[nodiscard]] double stick_time() const { return 2.0 * excess() / speed; }
-  [[nodiscard]] double first_onset() const { return static_coefficient * normal_force / stiffness / speed; }
 };
 
 analytic::ContactModel jumping_belt(const Belt& belt) {
@@ -43,22 +42,6 @@ analytic::ContactModel jumping_belt(const Belt& belt) {
 }
 
 STICKSLIP_VERIFIES(MovingWall, "W1");
-TEST(MovingWall, CarriesAMassAsTheClosedFormSays) {
-  const Belt belt;
-  analytic::EventDriven run(jumping_belt(belt));
-  run.advance_to(6.0);
-  const auto& events = run.events();
-  ASSERT_GE(events.size(), 6u);
-  double time = belt.first_onset();
-  for (std::size_t i = 0; i < events.size(); ++i) {
-    const bool onset = i % 2 == 0;
-    EXPECT_EQ(events[i].change, onset ? data::ContactChange::onset : data::ContactChange::capture);
-    // 1e-12 of the state in each of some 100 steps.
-    EXPECT_TRUE(within(events[i].time, time, discretisation(1e-10, 1.0, "1e-12 a step")));
-    time += onset ? belt.slip_time() : belt.stick_time();
-  }
-}
-
 TEST(MovingWall, IsLeftBehindByAMassThatSlidesSteadily) {
   const Belt belt;
   analytic::ContactModel model = jumping_belt(belt);

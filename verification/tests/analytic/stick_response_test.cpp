@@ -9,40 +9,15 @@ namespace {
 
 using analytic::Bounds;
 using analytic::ForceMaximum;
-using analytic::Sinusoid;
 using analytic::SteadyPart;
 using analytic::stick_modes;
 using analytic::StickMode;
 using analytic::StickResponse;
 using std::numbers::pi;
 
-constexpr std::array kBothSums{SteadyPart::modal_sum, SteadyPart::exact};
-
 double mass(const data::Beam& beam) { return beam.density() * beam.area(); }
 
-/// A sum of sinusoids bounds the size of the m-th derivative of what it represents.
-double derivative_size(double steady, double omega, const std::vector<Sinusoid>& transient, int order) {
-  double size = std::abs(steady) * std::pow(omega, order);
-  for (const Sinusoid& s : transient) size += std::abs(s.amplitude) * std::pow(s.angular_frequency, order);
-  return size;
-}
-
 STICKSLIP_VERIFIES(StickResponse, "A4");
-TEST(StickResponse, IsTheSumOfItsSinusoids) {
-  for (const SteadyPart steady : kBothSums) {
-    const StickResponse response(paper_beam(), shaking(70.0), 10, steady);
-    const auto transient = response.transient_force();
-    const double size = derivative_size(response.steady_force_amplitude(), 1.0, transient, 0);
-    for (const double t : {0.0, 0.011, 0.5, 9.9}) {
-      double sum = response.steady_force_amplitude() * std::sin(2.0 * pi * 70.0 * t);
-      for (const Sinusoid& s : transient) sum += s.amplitude * std::sin(s.angular_frequency * t);
-      // Round-off of the phases up to omega_10 t, besides that of the sum.
-      const double phase = 1.0 + transient.back().angular_frequency * t;
-      EXPECT_TRUE(within(response.friction_force(t), sum, round_off(10, phase, size)));
-    }
-  }
-}
-
 TEST(StickResponse, SteadyAmplitudesAgreeWithFortyDigitArithmetic) {
   struct Steady {
     double load_factor, frequency_hz, force, displacement;  // f per A0 in N/m, u(0.7 m)/A0
@@ -145,23 +120,6 @@ TEST(StickResponse, ClosestToResonanceLosesNoDigits) {
                {(0.5 * phase * distance + 4.0 * phase * std::numeric_limits<double>::epsilon()) * peak,
                 "round-off", "phase omega t/2 turned by the distance, and its rounding"}))
         << distance;
-  }
-}
-
-TEST(StickResponse, ResonantModeGrowsAsLHospitalSays) {
-  // lim g = (omega t cos(omega t) - sin(omega t))/(2 omega^2) as Omega -> omega.
-  const data::Beam beam = paper_beam();
-  const StickMode mode = stick_modes(beam, 1).front();
-  const StickResponse response(beam, shaking(mode.frequency_hz()), 1);
-  const analytic::QuasiStaticShape quasi_static(beam);
-  const double omega = mode.angular_frequency(), x = 1.2;
-  for (const double t : {0.01, 0.5, 10.0}) {
-    const double phase = omega * t;
-    const double modal =
-        0.5e-3 * mode.shape(x) * mode.participation() * 0.5 * (phase * std::cos(phase) - std::sin(phase));
-    const double expected = quasi_static.value(x) * response.base_displacement(t) + modal;
-    EXPECT_TRUE(within(response.relative_displacement(x, t), expected,
-                       round_off(4, 1.0 + phase, 0.5e-3 * (1.0 + phase))));
   }
 }
 

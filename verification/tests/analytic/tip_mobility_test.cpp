@@ -4,8 +4,6 @@
 
 #include <Eigen/LU>
 
-#include "stickslip/analytic/slip_modes.hpp"
-#include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/analytic/tip_mobility.hpp"
 #include "support/random_beams.hpp"
 #include "support/testing.hpp"
@@ -60,8 +58,9 @@ STICKSLIP_VERIFIES(TipMobility, "A9");
 TEST(TipMobility, SolvesTheBoundaryValueProblem) {
   for (const double z : {-14.4, 0.0, 0.12, 12.0})
     for (const double eta : {0.0, 6.4e-5, 5e-3})
-      for (const Complex k : {Complex(0.2, 0.7), Complex(0.0, 9.0), Complex(5.0, 40.0), Complex(0.3, -300.0),
-                              Complex(2000.0), Complex(100.0, 20000.0)}) {
+      for (const Complex k :
+           {Complex(0.2, 0.7), Complex(0.0, 9.0), Complex(5.0, 40.0), Complex(0.3, -300.0), Complex(2000.0),
+            Complex(100.0, 20000.0), Complex(-2.0, 30.0), Complex(-100.0, -20000.0)}) {
         const Complex s = k * unit;
         const TipMobility mobility(paper_beam_with_load_factor(z), kelvin_voigt(eta));
         const Waves expected = waves(z, eta, s);
@@ -99,22 +98,6 @@ TEST(TipMobility, LosesNoDigitsWhereTheExponentsMeet) {
           << z << ", " << share;
     }
   }
-}
-
-TEST(TipMobility, IsConjugateSymmetric) {
-  for (const double eta : {0.0, 6.4e-5})
-    for (const Complex k : {Complex(0.1, 0.2), Complex(2.0, 30.0), Complex(1e3, 1e6), Complex(1e10, 1e9)}) {
-      const TipMobility mobility(paper_beam(), kelvin_voigt(eta));
-      const Complex s = k * unit;
-      for (const double share : {0.5, 1.0}) {
-        const auto at = [&](Complex frequency) { return mobility.transfer(share * length, frequency); };
-        const Tolerance rounding = round_off(10, 1.0, std::abs(at(s)));
-        EXPECT_TRUE(within(at(std::conj(s)), std::conj(at(s)), rounding)) << k;
-        if (eta > 0.0) continue;
-        EXPECT_TRUE(within(at(-s), -at(s), rounding)) << k;
-        EXPECT_TRUE(within(mobility(-s), -mobility(s), round_off(10, 1.0, std::abs(mobility(s))))) << k;
-      }
-    }
 }
 
 TEST(TipMobility, RefusesAModalDampingRatio) {

@@ -6,7 +6,6 @@
 #include "stickslip/solver/beam_simulation.hpp"
 #include "stickslip/solver/contact_mobility.hpp"
 #include "stickslip/solver/generalized_alpha.hpp"
-#include "support/contact_models.hpp"
 #include "support/testing.hpp"
 
 namespace stickslip::testing {
@@ -23,21 +22,6 @@ solver::ContactSystem beam_system(int elements, const data::Damping& damping = {
 const data::Damping light({.kelvin_voigt = 6.4e-5});
 
 STICKSLIP_VERIFIES(ContactMobility, "X12");
-TEST(ContactMobility, OfADampedOscillatorIsTheClosedForm) {
-  for (const double damping : {0.0, 3.0}) {
-    const SingleMass mass{.mass = 2.0, .stiffness = 50.0, .damping = damping, .normal_force = 1.0};
-    const solver::ContactMobility mobility(contact_system(mass));
-    for (const Complex s : {Complex(0.1, 0.0), Complex(0.5, 4.9), Complex(2.0, -7.0), Complex(3.0, 100.0)}) {
-      const Complex expected = s / (2.0 * s * s + damping * s + 50.0);
-      EXPECT_TRUE(
-          within(mobility(s), expected,
-                 round_off(10, std::abs((2.0 * s * s + 50.0) / (s / expected)) + 1.0, std::abs(expected))));
-    }
-    EXPECT_DOUBLE_EQ(mobility.contact_mass(), 2.0);
-    EXPECT_DOUBLE_EQ(mobility.contact_damping(), damping);
-  }
-}
-
 // The eigenvalues of the modes are known to eps times the largest: 64 n eps lambda_max against |s^2|.
 TEST(ContactMobility, IsTheInverseOfTheDynamicStiffness) {
   for (const data::Damping& damping : {data::Damping(), light}) {

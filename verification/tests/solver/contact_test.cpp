@@ -4,13 +4,11 @@
 
 #include <Eigen/Dense>
 
-#include "stickslip/solver/beam_simulation.hpp"
 #include "stickslip/solver/energy_balance.hpp"
 #include "stickslip/solver/generalized_alpha.hpp"
 #include "stickslip/solver/stick_slip_integrator.hpp"
 #include "studies/common/discretisation.hpp"
 #include "support/contact_models.hpp"
-#include "support/mesh.hpp"
 #include "support/testing.hpp"
 
 namespace stickslip::testing {
@@ -93,16 +91,6 @@ TEST(StickSlipIntegrator, FrictionForceMeetsBalanceAndLaw) {
   }
   EXPECT_GT(stuck, 20);
   EXPECT_LT(stuck, 380);
-}
-
-TEST(StickSlipIntegrator, CapturesAtTheFirstStepBelowThreshold) {
-  // v = 1.3 - 1.5 t: 0.25 m/s after ten steps, 0.145 m/s after eleven.
-  const auto slider = run_from_slip(
-      sliding_mass, {.time_step = 0.07, .spectral_radius = 0.9, .velocity_threshold = 0.2}, 0.0, 1.3, 0.8);
-  ASSERT_EQ(slider->events().size(), 1u);
-  EXPECT_EQ(slider->events().front().change, data::ContactChange::capture);
-  EXPECT_DOUBLE_EQ(slider->events().front().time, 0.77);
-  EXPECT_TRUE(within(slider->events().front().residual_velocity, 0.145, round_off(11, 1, 1.3)));
 }
 
 TEST(StickSlipIntegrator, CapturesAVelocityThatIsTheThresholdItself) {
@@ -211,7 +199,7 @@ TEST(StickSlipIntegrator, RefusesAStartOfAnotherSize) {
   EXPECT_THROW(mass.start_slipping(one, two), std::invalid_argument);
 }
 
-TEST(StickSlipIntegrator, FrictionLawHoldsInTheLongestStep) {
+TEST(StickSlipIntegrator, FrictionLawHoldsInTheLongestStepAndNoLongerOneIsTaken) {
   // At spectral radius 0 the balance holds at the end of the step: m (2 a_1 - a_0) = -mu(v_1) N with
   // v_1 = v_0 + h (3 a_1 - a_0)/2. The step is 99 % of the longest one, 4 m/(3 N (mu_s - mu_m) alpha).
   const data::FrictionCoefficients weakening{
@@ -231,6 +219,11 @@ TEST(StickSlipIntegrator, FrictionLawHoldsInTheLongestStep) {
                        round_off(20, 1, normal_force)))
         << "v_0 = " << v0 << ", v_1 = " << v1;
   }
+  StickSlipIntegrator slider(contact_system({.normal_force = normal_force, .friction = weakening}),
+                             {.time_step = 1.02 * h, .spectral_radius = 0.0});
+  slider.start_slipping(scalar(0.0), scalar(2.0));
+  expect_error_message<std::runtime_error>([&] { slider.step(); },
+                                           {"time_step = 0.2992 s", "about 0.296296 s"});
 }
 
 TEST(StickSlipIntegrator, StopsWhenItsStateIsNoLongerFinite) {
@@ -254,16 +247,6 @@ TEST(StickSlipIntegrator, RefusesMatricesWithoutFactorisation) {
   StickSlipIntegrator stuck(cancelling, {.time_step = 1.0, .spectral_radius = 1.0});
   for (int attempt = 0; attempt < 2; ++attempt)
     EXPECT_THROW(stuck.start_stuck(zero, zero), std::runtime_error);
-}
-
-TEST(StickSlipIntegrator, StopsWhereTheLawIsTooSteepForTheStep) {
-  StickSlipIntegrator slider(
-      contact_system({.normal_force = 1e3,
-                      .friction = {.static_coefficient = 1.0, .kinetic_coefficient = 0.0, .decay = 1e3}}),
-      {.time_step = 0.1, .spectral_radius = 1.0});
-  slider.start_slipping(scalar(0.0), scalar(1.0));
-  const std::string message = error_message_of<std::runtime_error>([&] { slider.step(); });
-  EXPECT_NE(message.find("time_step = 0.1 s"), std::string::npos) << message;
 }
 
 STICKSLIP_VERIFIES(ContactScheme, "F6");
@@ -416,17 +399,6 @@ TEST(ContactChanges, AreBookedAsCaptureLoss) {
   EXPECT_TRUE(within(balance_of_the_pair(settings).capture_loss, expected, round_off(30, 1, expected)));
 }
 
-TEST(EnergyRecorder, OverwrittenVelocityLeavesAResidual) {
-  // As the paper states it: (1/2) v.M v falls by more or less than the impulse takes.
-  const auto residual = [](ContactScheme scheme) {
-    return std::abs(
-        balance_of_the_pair(
-            {.time_step = 0.003, .spectral_radius = 1.0, .velocity_threshold = 0.05, .scheme = scheme})
-            .residual());
-  };
-  EXPECT_GT(residual(ContactScheme::paper), 100.0 * residual(ContactScheme::located));
-}
-
 TEST(EnergyRecorder, BooksNoImpulseOfAContactOnASpring) {
   // The slider comes to rest while the mass still moves.
   solver::ContactSystem system = contact_system(oscillating_mass);
@@ -440,22 +412,6 @@ TEST(EnergyRecorder, BooksNoImpulseOfAContactOnASpring) {
     return event.change == data::ContactChange::capture && event.residual_velocity != 0.0;
   }));
   EXPECT_EQ(recorder.balance().capture_loss, 0.0);
-}
-
-TEST(EnergyRecorder, BeamEnergyIsElasticPlusGeometric) {
-  const data::NumericalSettings numerics(paper_choices(0.06));
-  solver::BeamSimulation simulation(paper_beam(), paper_friction(), data::HarmonicExcitation({25.0, 1e-3}),
-                                    numerics);
-  EnergyRecorder recorder(simulation.integrator());
-  simulation.observe([&recorder](const StickSlipIntegrator& now) { recorder.record(now); });
-  while (simulation.time() < 0.06) simulation.step();
-  const auto& q = simulation.integrator().displacement();
-  const double elastic = elastic_energy(simulation.model(), q);
-  const double geometric = geometric_energy(simulation.model(), q);
-  EXPECT_GT(elastic, 0.1);
-  EXPECT_LT(geometric, 0.0);
-  // The sums cancel from 12 EI/l^3 u^2 = 2e8 N/m (3 mm)^2 for an element to about 1 J for the beam.
-  EXPECT_TRUE(within(elastic + geometric, recorder.balance().elastic, round_off(10, 2e3, 1.0)));
 }
 
 TEST(EnergyRecorder, RefusesASystemThatHasNoEnergyToBalance) {
@@ -480,19 +436,6 @@ using solver::GeneralizedAlpha;
 using solver::Kinematics;
 
 STICKSLIP_VERIFIES(GeneralizedAlpha, "F5");
-TEST(GeneralizedAlpha, WeightsOfTheLimitsAreTheKnownMethods) {
-  const GeneralizedAlpha trapezoidal(1.0);  // mid-point form of the average acceleration method
-  EXPECT_DOUBLE_EQ(trapezoidal.alpha_m(), 0.5);
-  EXPECT_DOUBLE_EQ(trapezoidal.alpha_f(), 0.5);
-  EXPECT_DOUBLE_EQ(trapezoidal.beta(), 0.25);
-  EXPECT_DOUBLE_EQ(trapezoidal.gamma(), 0.5);
-  const GeneralizedAlpha annihilating(0.0);  // asymptotic annihilation
-  EXPECT_DOUBLE_EQ(annihilating.alpha_m(), -1.0);
-  EXPECT_DOUBLE_EQ(annihilating.alpha_f(), 0.0);
-  EXPECT_DOUBLE_EQ(annihilating.beta(), 1.0);
-  EXPECT_DOUBLE_EQ(annihilating.gamma(), 1.5);
-}
-
 TEST(GeneralizedAlpha, RefusesASpectralRadiusOutsideZeroToOne) {
   for (const double radius : {-0.1, 1.1, std::nan("")})
     EXPECT_THROW(GeneralizedAlpha{radius}, std::invalid_argument);
@@ -528,20 +471,6 @@ TEST(GeneralizedAlpha, AmplificationIsThatOfThePublishedEquations) {
       for (std::size_t i = 0; i < 3; ++i)
         EXPECT_TRUE(within(computed[i], published[i], round_off(30, 100, 1.0))) << radius << " " << omega;
     }
-}
-
-TEST(GeneralizedAlpha, SpectralRadiusAtInfinityIsAsAsked) {
-  // All three eigenvalues meet there, so that an error e of the matrix moves them by e^(1/3); at omega h =
-  // 1e4 the matrix is 1/(omega h)^2 from its limit.
-  for (const double radius : {0.0, 0.3, 0.5, 0.9, 1.0})
-    EXPECT_TRUE(within(moduli(radius, 1e4).front(), radius,
-                       discretisation(std::cbrt(1e-8), 4.0, "(omega h)^(-2/3)")));
-}
-
-TEST(GeneralizedAlpha, TakesTheLoadAtTheAlphaLevel) {
-  EXPECT_DOUBLE_EQ(GeneralizedAlpha(1.0).load_time(2.0, 0.1), 2.05);
-  EXPECT_DOUBLE_EQ(GeneralizedAlpha(0.0).load_time(2.0, 0.1), 2.1);
-  EXPECT_DOUBLE_EQ(GeneralizedAlpha(0.5).load_time(0.0, 0.3), 0.2);
 }
 
 }  // namespace

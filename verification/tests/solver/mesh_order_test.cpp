@@ -3,8 +3,6 @@
 
 #include <Eigen/Dense>
 
-#include "stickslip/analytic/slip_modes.hpp"
-#include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/analytic/tip_mobility.hpp"
 #include "stickslip/solver/beam_model.hpp"
@@ -192,40 +190,6 @@ TEST(ReactionOrder, IsFourByResidualAndTwoByShapeFunctions) {
     EXPECT_TRUE(order_is(by_residual, 4.0, constant)) << hz << " Hz";
     EXPECT_TRUE(order_is(by_shape_functions, 2.0, 0.15 * fifth)) << hz << " Hz";
   }
-}
-
-STICKSLIP_VERIFIES(StaticShapeOrder, "F2");
-// Between the nodes the interpolation error, l^4/24 s^2 (1 - s)^2 u'''', and at them l^4/720 times an
-// integral over u'''' and the influence function: both of order four, the latter because of the axial force
-// alone.
-TEST(StaticShapeOrder, IsFourInElementsAndAtNodes) {
-  // At half the buckling load the shape is no cubic: the mesh must converge to S(x), waves of sqrt(P/EI)
-  // long.
-  const data::Beam beam = paper_beam_with_axial_force(42e3);
-  const double wave_number = std::sqrt(42e3 / rigidity(beam));
-  const analytic::QuasiStaticShape shape(beam);
-  std::vector<double> lengths, middles, nodes;
-  for (const int elements : {4, 8, 16, 32}) {
-    const solver::BeamModel model(beam, elements);
-    const Eigen::VectorXd q = model.unit_tip_deflection();
-    const double l = 2.0 / elements;
-    double in_the_middle = 0.0, at_nodes = 0.0;
-    for (int i = 0; i < elements; ++i) {
-      const double x = l * i, middle = l * (i + 0.5);
-      in_the_middle += l * std::pow(model.interpolation(middle).dot(q) + shape.value(middle), 2);
-      at_nodes += l * std::pow(model.interpolation(x).dot(q) + shape.value(x), 2);
-    }
-    lengths.push_back(l);
-    middles.push_back(std::sqrt(in_the_middle));
-    nodes.push_back(std::sqrt(at_nodes));
-  }
-  // At the nodes l^2 (2/42 + 8/105 + 1/42) P/EI (MeshError), or a third more with derivatives that do not
-  // peak together; in the middle half of that.
-  const auto of_nodes = [wave_number](double length) { return 0.2 * std::pow(wave_number * length, 2); };
-  const auto of_middles = [&](double length) { return 0.5 * of_nodes(length); };
-  const double floor = round_off(32, 10.0, 1.0).value;
-  EXPECT_TRUE(order_is(order_levels(lengths, middles, of_middles, floor), 4.0));
-  EXPECT_TRUE(order_is(order_levels(lengths, nodes, of_nodes, floor), 4.0));
 }
 
 constexpr double rigidity = 2e9 * 1e-4 / 12.0;  // EI, N m^2

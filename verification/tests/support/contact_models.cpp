@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 #include <unsupported/Eigen/MatrixFunctions>
 #include <utility>
 
@@ -114,29 +113,6 @@ analytic::ContactModel contact_model(const ForcedPair& pair) {
           .friction = data::FrictionLaw({.static_coefficient = pair.friction_coefficient,
                                          .kinetic_coefficient = pair.friction_coefficient,
                                          .decay = 0.0})};
-}
-
-std::vector<double> free_contact_frequencies(const analytic::ContactModel& model, int count) {
-  const auto m = static_cast<Eigen::Index>(model.modes());
-  const auto vector_of = [m](const std::vector<double>& values) {
-    return Eigen::Map<const Eigen::VectorXd>(values.data(), m);
-  };
-  Eigen::MatrixXd mass = Eigen::MatrixXd::Identity(m + 1, m + 1),
-                  stiffness = Eigen::MatrixXd::Zero(m + 1, m + 1);
-  mass.col(m).head(m) = mass.row(m).head(m).transpose() = vector_of(model.mass_coupling);
-  mass(m, m) = model.contact_mass;
-  stiffness.diagonal().head(m) = vector_of(model.angular_frequency).cwiseAbs2();
-  stiffness.row(m).head(m) = vector_of(model.follower);
-  stiffness(m, m) = model.contact_stiffness + model.contact_follower;
-  const Eigen::VectorXcd inverse_squares =
-      Eigen::EigenSolver<Eigen::MatrixXd>(stiffness.partialPivLu().solve(mass), false).eigenvalues();
-  if (!inverse_squares.imag().isZero(0.0) || inverse_squares.real().minCoeff() <= 0.0)
-    throw std::runtime_error("a frequency of the free contact is complex: it flutters or buckles");
-  std::vector<double> frequencies;
-  for (const double value : inverse_squares.real()) frequencies.push_back(1.0 / std::sqrt(value));
-  std::ranges::sort(frequencies);
-  frequencies.resize(static_cast<std::size_t>(count));
-  return frequencies;
 }
 
 solver::ContactSystem contact_system(const ForcedPair& pair) {

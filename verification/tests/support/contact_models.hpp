@@ -88,11 +88,6 @@ inline constexpr SingleMass oscillating_mass{.stiffness = 4.0, .normal_force = 4
 
 [[nodiscard]] analytic::ContactModel contact_model(const ForcedPair& pair);
 
-/// The `count` lowest angular frequencies, rad/s, of a model whose contact is free and whose damping and friction are left out:
-/// for the beam, approximations of the clamped-free modes under follower load. From 1/omega^2 as eigenvalues of K^-1 M, so that
-/// round-off is relative to the lowest. Throws std::runtime_error if one of them is complex.
-[[nodiscard]] std::vector<double> free_contact_frequencies(const analytic::ContactModel& model, int count);
-
 /// The exact motion of a ForcedPair that starts stuck with the wall's velocity, its first mass at rest at the origin. If holding
 /// the second mass takes more than the limit, it slips from the start.
 class ExactPair {
