@@ -279,6 +279,9 @@ TEST(ComparedVerdict, ASampleAtAnEventThatTheyDoNotHaveIsLeftOut) {
   events.erase(1);
   const auto y = mine.compared("y", with_events(events));
   EXPECT_EQ(y.agreement, Agreement::agrees);
+  EXPECT_EQ(mine.compared("sequence", with_events(events)).agreement, Agreement::differs);
+  EXPECT_EQ(mine.compared(with_events(events)).remarks.at(0),
+            "run = a: event 2 (reversal at 0.515 s) is missing in the file");
   EXPECT_EQ(skipped_for(y, "between the two times"), 1u);
   EXPECT_EQ(skipped_for(y, "in another phase"), 29u);  // 0.52, ..., 0.80 s
 }

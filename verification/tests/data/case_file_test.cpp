@@ -123,29 +123,11 @@ STICKSLIP_VERIFIES(CaseFile, "P1");
 TEST_F(CaseFile, IsReadKeyByKey) {
   const auto problem = data::read_case(write(valid_case()));
   EXPECT_EQ(problem.name, "bar");
-  EXPECT_EQ(problem.beam.length(), 2.0);
-  EXPECT_EQ(problem.beam.area(), 0.01);
-  EXPECT_EQ(problem.beam.second_moment_of_area(), 8.25e-6);
-  EXPECT_EQ(problem.beam.density(), 1000.0);
-  EXPECT_EQ(problem.beam.youngs_modulus(), 2e9);
-  EXPECT_EQ(problem.beam.axial_force(), 500.0);
-  EXPECT_EQ(problem.beam.axial_direction(), 0.5);
-  EXPECT_EQ(problem.beam.shear_stiffness(), 6e6);
-  EXPECT_EQ(problem.friction.static_coefficient(), 0.6);
-  EXPECT_EQ(problem.friction.kinetic_coefficient(), 0.3);
-  EXPECT_EQ(problem.friction.decay(), 1.0);
-  EXPECT_EQ(problem.friction.viscous(), 0.1);
-  EXPECT_EQ(problem.excitation.frequency_hz(), 25.0);
-  EXPECT_EQ(problem.excitation.amplitude(), 0.5e-3);
-  EXPECT_EQ(problem.numerics.elements(), 20);
-  EXPECT_EQ(problem.numerics.time_step(), 1e-4);
-  EXPECT_EQ(problem.numerics.spectral_radius(), 0.9);
-  EXPECT_EQ(problem.numerics.velocity_threshold(), 1e-4);
-  EXPECT_EQ(problem.numerics.modes(), 10);
-  EXPECT_EQ(problem.numerics.duration(), 8.0);
-  EXPECT_EQ(problem.damping.kelvin_voigt(), 6.4e-5);
-  EXPECT_EQ(problem.damping.ratio(), 0.01);
-  EXPECT_EQ(problem.contact.tangential_stiffness(), 1e6);
+  for (const Line& line : valid_lines()) {
+    if (line.key.empty()) continue;
+    EXPECT_EQ(data::value_of(problem, line.path()), std::stod(line.text.substr(line.text.find('=') + 1)))
+        << line.path();
+  }
 }
 
 TEST_F(CaseFile, MustHoldKeysOrWhatStandsForThem) {
@@ -185,19 +167,7 @@ TEST_F(CaseFile, IsDampedByAnOverrideWithoutATableOfItsOwn) {
   EXPECT_EQ(override_error(undamped, "damping.ration=0.1"),
             "unknown key damping.ration (did you mean damping.ratio?) with the value 0.1 (a float), but "
             "[damping] has the keys kelvin_voigt, ratio");
-}
-
-TEST_F(CaseFile, RefusesMagnitudesThatNoBeamHas) {
-  EXPECT_EQ(error_message(case_with("beam.axial_force", "axial_force = -1e300\n")),
-            at("beam.axial_force") +
-                "beam.axial_force is -1e+300, but must be from 1e-18 to 1e+18 (N) in magnitude");
-  EXPECT_EQ(override_error(valid_case(), "damping.ratio=1e-10"),
-            "damping.ratio is 1e-10, but must be from 1e-09 to 1 in magnitude");
-  EXPECT_EQ(error_message(valid_case(), {{"beam.length", "1e7", "--length"}}),
-            "--length: beam.length is 1e+07, but must be from 1e-09 to 1e+06 (m) in magnitude");
-  EXPECT_EQ(error_message_of([] { data::require_magnitude("friction.decay", 1e16, "--x"); }),
-            "--x: friction.decay is 1e+16, but must be from 1e-15 to 1e+15 (s/m) in magnitude");
-  EXPECT_EQ(error_message_of([] { data::require_magnitude("friction.decay", 0.0, "--x"); }), "accepted");
+  EXPECT_TRUE(contains(override_error(undamped, "length=1.8"), "but a case has the tables beam"));
 }
 
 TEST_F(CaseFile, TakesAContactThatYieldsInOneWay) {
@@ -242,12 +212,6 @@ TEST_F(CaseFile, IsTheSameAgainFromItsNumbers) {
   EXPECT_EQ(again.contact.tangential_stiffness(), 1e7);
   EXPECT_EQ(again.beam.shear_stiffness(), 5e6);
   EXPECT_EQ(data::numbers_of(again), numbers);
-}
-
-TEST_F(CaseFile, SuggestsNothingForAKeyLikeNoOther) {
-  EXPECT_EQ(error_message(valid_case() + "colour_of_the_paint = 'red'\n"),
-            "bar.toml:30: unknown key contact.colour_of_the_paint with the value 'red' (a string), but "
-            "[contact] has the keys tangential_stiffness, regularisation_velocity");
 }
 
 TEST_F(CaseFile, RefusesAMisspeltTable) {
@@ -299,17 +263,6 @@ TEST_F(CaseFile, RefusesAnIntegerThatDoesNotFit) {
                 "numerics.modes is 4294967306, but must be an integer of at most 2147483647 in magnitude");
 }
 
-TEST_F(CaseFile, PrintsTheRefusedValueWithAllItsDigits) {
-  EXPECT_EQ(
-      error_message(case_with("beam.length", "length = -0.30000000000000004\n")),
-      at("beam.length") + "beam.length is -0.30000000000000004, but must be a finite number above 0 (m)");
-}
-
-TEST_F(CaseFile, NamesTheLineOfASyntaxError) {
-  EXPECT_TRUE(error_message(case_with("beam.density", "density = \n"))
-                  .starts_with(at("beam.density") + "is not valid TOML: "));
-}
-
 TEST_F(CaseFile, RefusesWhatIsNoText) {
   EXPECT_EQ(error_message(""), "bar.toml: is empty");
   EXPECT_TRUE(error_message("# \xC3\x28\n").starts_with("bar.toml:1: is not valid TOML: "));
@@ -341,15 +294,6 @@ TEST_F(CaseFile, TheLastOverrideOfAKeyWins) {
 TEST_F(CaseFile, AnOverrideSuppliesWhatTheFileLacks) {
   EXPECT_EQ(data::read_case(write(case_with("beam.length", "")), {{"beam.length", "1.8"}}).beam.length(),
             1.8);
-}
-
-TEST_F(CaseFile, RefusesAnOverrideOfAnUnknownKey) {
-  EXPECT_EQ(
-      override_error(valid_case(), "beam.lenght=1.8"),
-      "unknown key beam.lenght (did you mean beam.length?) with the value 1.8 (a float), but [beam] has "
-      "the keys length, area, second_moment_of_area, density, youngs_modulus, axial_force, "
-      "axial_direction, shear_stiffness, material, poissons_ratio");
-  EXPECT_TRUE(contains(override_error(valid_case(), "length=1.8"), "but a case has the tables beam"));
 }
 
 TEST_F(CaseFile, RefusesAnOverrideThatIsNoSingleTomlValue) {
@@ -591,19 +535,10 @@ TEST_F(CaseShorthand, IsRefusedAsAnOverrideWithoutAMeaning) {
     EXPECT_EQ(override_error(strip_case, override), sentence);
 }
 
-TEST_F(CaseShorthand, IsRefusedWithoutAFiniteAmplitude) {
+TEST_F(CaseShorthand, IsRefusedWithTwoAmplitudesOrWithoutAFrequency) {
   const auto message = [&](const std::string& amplitude) {
     return error_message(workshop_case(strip, amplitude + "\n"));
   };
-  EXPECT_EQ(
-      message("velocity_amplitude = -1"),
-      "bar.toml:13: excitation.velocity_amplitude is -1, but must be a finite number of 0 or more (m/s)");
-  EXPECT_EQ(message("acceleration_amplitude = inf"),
-            "bar.toml:13: excitation.acceleration_amplitude is inf, but must be a finite number of 0 or more "
-            "(m/s^2)");
-  EXPECT_EQ(message("velocity_amplitude = 2e18"),
-            "bar.toml:13: excitation.velocity_amplitude is 2e+18, but must be from 1e-18 to 1e+18 (m/s) in "
-            "magnitude");
   EXPECT_EQ(message("velocity_amplitude = 1\namplitude = 1"),
             "bar.toml:14: excitation.amplitude is 1 (an integer), but must be missing where "
             "excitation.velocity_amplitude is given");
@@ -697,17 +632,6 @@ TEST_F(CaseFile, OfAMisspeltNameIsRefusedWithTheNamesThereAre) {
             "case papr is unknown (did you mean paper?), but must be a file or one of damped, near-buckling, "
             "paper, paper-figure14, paper-figure9, paper-half-stiffness, reed, rig, soft-short, steel-strip, "
             "tension, uncertain");
-}
-
-TEST_F(CaseFile, TransposedLettersCountAsOneMistake) {
-  const auto error_message_of_name = [this](const std::string& name) {
-    return error_message_of([&] { static_cast<void>(data::load_case(name)); });
-  };
-  EXPECT_TRUE(contains(error_message_of_name("papre"), "unknown (did you mean paper?)"));
-  EXPECT_TRUE(contains(error_message_of_name("tnesino"), "unknown (did you mean tension?)"));
-  const std::string of_another = error_message_of_name("repap");
-  EXPECT_TRUE(contains(of_another, "case repap is unknown") && !contains(of_another, "did you mean"))
-      << of_another;
 }
 
 // Points STICKSLIP_DATA elsewhere while it lives.

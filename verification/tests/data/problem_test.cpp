@@ -229,48 +229,31 @@ TEST(InputLimits, MayHaveAsManyBytesAsAreAllowed) {
 }
 
 TEST(InputLimits, HasTheUnitsOfEveryQuantity) {
-  struct Spelling {
-    std::string name, si;
-    double value;
-  };
-  for (const auto& [name, si, value] : std::vector<Spelling>{{"Hz", "Hz", 1.0},
-                                                             {"rad/s", "Hz", 0.5 / std::numbers::pi},
-                                                             {"kg/m3", "kg/m^3", 1.0},
-                                                             {"mm4", "m^4", 1e-12},
-                                                             {"N/mm^2", "Pa", 1e6},
-                                                             {"N/mm2", "Pa", 1e6},
-                                                             {"1/s", "Hz", 1.0},
-                                                             {"cm^2", "m^2", 1e-4},
-                                                             {"mm^2", "m^2", 1e-6},
-                                                             {"cm^4", "m^4", 1e-8},
-                                                             {"mm^4", "m^4", 1e-12},
-                                                             {"kN/m", "N/m", 1e3},
-                                                             {"N/mm", "N/m", 1e3},
-                                                             {"m/s", "m/s", 1.0},
-                                                             {"cm/s", "m/s", 1e-2},
-                                                             {"mm/s", "m/s", 1e-3},
-                                                             {"m_per_s", "m/s", 1.0},
-                                                             {"mm_per_s", "m/s", 1e-3},
-                                                             {"m/s^2", "m/s^2", 1.0},
-                                                             {"m/s\u00b2", "m/s^2", 1.0},
-                                                             {"g/cm\u00b3", "kg/m^3", 1e3},
-                                                             {"mm\u2074", "m^4", 1e-12},
-                                                             {"mm/s^2", "m/s^2", 1e-3},
-                                                             {"Pa", "Pa", 1.0},
-                                                             {"kPa", "Pa", 1e3},
-                                                             {"MPa", "Pa", 1e6},
-                                                             {"GPa", "Pa", 1e9},
-                                                             {"rad", "rad", 1.0},
-                                                             {"deg", "rad", std::numbers::pi / 180.0},
-                                                             {"\u00b0", "rad", std::numbers::pi / 180.0},
-                                                             {"J", "J", 1.0},
-                                                             {"mJ", "J", 1e-3},
-                                                             {"%", "", 1e-2}}) {
-    const auto unit = data::unit_named(name);
-    ASSERT_TRUE(unit.has_value()) << name;
-    EXPECT_EQ(unit->si, si) << name;
-    EXPECT_DOUBLE_EQ(unit->to_si(1.0), value) << name;
-  }
+  constexpr double pi = std::numbers::pi;
+  using Units = std::vector<std::pair<std::string, double>>;
+  for (const auto& [si, units] : std::vector<std::pair<std::string, Units>>{
+           {"Hz", {{"Hz", 1.0}, {"mHz", 1e-3}, {"kHz", 1e3}, {"MHz", 1e6}, {"1/s", 1.0}}},
+           {"Hz", {{"rad/s", 0.5 / pi}, {"rad_per_s", 0.5 / pi}}},
+           {"s", {{"s", 1.0}, {"ms", 1e-3}, {"us", 1e-6}, {"\u00b5s", 1e-6}, {"ns", 1e-9}}},
+           {"m", {{"m", 1.0}, {"cm", 1e-2}, {"mm", 1e-3}, {"um", 1e-6}, {"nm", 1e-9}}},
+           {"m", {{"\u00b5m", 1e-6}, {"\u03bcm", 1e-6}}},
+           {"m^2", {{"cm^2", 1e-4}, {"mm^2", 1e-6}}},
+           {"m^4", {{"cm^4", 1e-8}, {"mm^4", 1e-12}, {"mm4", 1e-12}, {"mm\u2074", 1e-12}}},
+           {"kg/m^3", {{"kg/m3", 1.0}, {"g/cm\u00b3", 1e3}}},
+           {"N", {{"N", 1.0}, {"mN", 1e-3}, {"kN", 1e3}, {"MN", 1e6}}},
+           {"N/m", {{"kN/m", 1e3}, {"N/mm", 1e3}}},
+           {"m/s", {{"m/s", 1.0}, {"cm/s", 1e-2}, {"mm/s", 1e-3}, {"m_per_s", 1.0}, {"mm_per_s", 1e-3}}},
+           {"m/s^2", {{"m/s^2", 1.0}, {"m/s\u00b2", 1.0}, {"mm/s^2", 1e-3}}},
+           {"Pa", {{"Pa", 1.0}, {"kPa", 1e3}, {"MPa", 1e6}, {"GPa", 1e9}, {"N/mm^2", 1e6}, {"N/mm2", 1e6}}},
+           {"rad", {{"rad", 1.0}, {"deg", pi / 180.0}, {"\u00b0", pi / 180.0}}},
+           {"J", {{"J", 1.0}, {"mJ", 1e-3}}},
+           {"", {{"1", 1.0}, {"-", 1.0}, {"%", 1e-2}}}})
+    for (const auto& [name, value] : units) {
+      const auto unit = data::unit_named(name);
+      ASSERT_TRUE(unit.has_value()) << name;
+      EXPECT_EQ(unit->si, si) << name;
+      EXPECT_DOUBLE_EQ(unit->to_si(1.0), value) << name;
+    }
   EXPECT_FALSE(data::unit_named("hz").has_value());
   EXPECT_EQ(data::units_convertible_to("m/s"), "m/s, cm/s, mm/s");
   EXPECT_EQ(data::units_convertible_to("J"), "J, mJ");

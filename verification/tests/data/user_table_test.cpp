@@ -129,42 +129,6 @@ TEST_F(UserTable, ConvertsAUnitWhereverItStands) {
   EXPECT_EQ(mapped("f1_kHz,frequency", "frequency=f1"), 25.0);
 }
 
-TEST_F(UserTable, ConvertsEveryUnitToThatOfTheDataSet) {
-  struct Spelling {
-    std::string unit;
-    double per_unit;  // of the data set
-  };
-  const auto expect = [&](const std::string& set, const std::string& before, const std::string& column,
-                          const std::string& after, const std::vector<Spelling>& spellings) {
-    for (const auto& [unit, per_unit] : spellings) {
-      const std::string text = fmt::format("{}{} [{}]\n{}0.375\n", before, column, unit, after);
-      const double value = read(set, text).column(column)->values[0];
-      EXPECT_TRUE(within(value, 0.375 * per_unit, round_off(1.0, 1.0, value))) << unit;
-      const auto underscored = read(set, fmt::format("{}{}_{}\n{}0.375\n", before, column, unit, after));
-      EXPECT_EQ(underscored.column(column)->values[0], value) << unit;
-    }
-  };
-  expect("stick-frequencies", "beam,mode,", "frequency", "paper,1,",
-         {{"Hz", 1.0},
-          {"mHz", 1e-3},
-          {"kHz", 1e3},
-          {"MHz", 1e6},
-          {"rad/s", 0.5 / std::numbers::pi},
-          {"rad_per_s", 0.5 / std::numbers::pi}});
-  expect("stick-force", "friction_force,", "t", "1,",
-         {{"s", 1.0}, {"ms", 1e-3}, {"us", 1e-6}, {"\u00b5s", 1e-6}, {"ns", 1e-9}});
-  expect("stick-force", "t,", "friction_force", "1,", {{"N", 1.0}, {"mN", 1e-3}, {"kN", 1e3}, {"MN", 1e6}});
-  expect("quasi-static-shape", "shape,", "x", "1,",
-         {{"m", 1.0},
-          {"cm", 1e-2},
-          {"mm", 1e-3},
-          {"um", 1e-6},
-          {"\u00b5m", 1e-6},
-          {"\u03bcm", 1e-6},
-          {"nm", 1e-9}});
-  expect("quasi-static-shape", "x,", "shape", "1,", {{"1", 1.0}, {"-", 1.0}, {"%", 1e-2}});
-}
-
 TEST_F(UserTable, DividesByPowersOfTenExactly) {
   const auto table = read("stick-force", "t_ms,friction_force_mN\n9,300\n18,7\n");
   EXPECT_EQ(table.column("t")->values, (std::vector<double>{0.009, 0.018}));

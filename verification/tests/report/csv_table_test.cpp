@@ -71,14 +71,6 @@ TEST(CsvTable, HasTitleUnitsNamesAndRows) {
   EXPECT_EQ(table.text(), "# Tip\n# units: s,m\ntime_s,tip_m\n0.1,-2e-07\n");
 }
 
-TEST(CsvTable, EndsALineOfAGridWithAnEmptyLine) {
-  report::CsvTable table("Map", {{"length_m", "m"}});
-  table.add_numbers({1.0});
-  table.end_grid_line();
-  table.add_numbers({2.0});
-  EXPECT_EQ(table.text(), "# Map\n# units: m\nlength_m\n1\n\n2\n");
-}
-
 TEST(CsvTable, WritesNumbersThatReadBackExactly) {
   for (const double value : {std::numbers::pi, 1.0 / 3.0, 2.2250738585072014e-308, -1.7976931348623157e308})
     EXPECT_EQ(std::stod(report::csv_number(value)), value);
