@@ -528,29 +528,5 @@ TEST(StribeckLaw, StopsASliderAtTheTimeOfTheClosedForm) {
   expect_a_quarter_at_each_halving(unexplained);
 }
 
-TEST(StribeckLaw, GivesOneHistoryAtSecondOrder) {
-  // A mass on a shaken plane sticks, slips through the minimum of the law, and sticks again.
-  const SingleMass mass{.stiffness = 3.0,
-                        .normal_force = normal_force,
-                        .friction = stribeck,
-                        .wall_acceleration = 12.0,
-                        .omega = 2.0 * std::numbers::pi};
-  analytic::EventDriven exact(contact_model(mass));
-  exact.advance_to(2.0);
-  ASSERT_GE(exact.events().size(), 4u);
-  std::vector<double> errors;
-  for (const double h : {2e-3, 1e-3, 5e-4, 2.5e-4}) {
-    solver::StickSlipIntegrator stepped(contact_system(mass), {.time_step = h, .spectral_radius = 0.9});
-    stepped.start_stuck(scalar(0.0), scalar(0.0));
-    while (stepped.time() < 2.0 - 0.5 * h) stepped.step();
-    ASSERT_EQ(stepped.events().size(), exact.events().size()) << h;
-    double largest = 0.0;
-    for (std::size_t i = 0; i < stepped.events().size(); ++i)
-      largest = largest_or_nan({largest, std::abs(stepped.events()[i].time - exact.events()[i].time)});
-    errors.push_back(largest);
-  }
-  expect_a_quarter_at_each_halving(errors);
-}
-
 }  // namespace
 }  // namespace stickslip::testing

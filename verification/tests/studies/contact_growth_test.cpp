@@ -2,9 +2,7 @@
 /// The bound of the growth of a disturbance: closed forms, meshes, modes, steps, and runs that obey it.
 
 #include "studies/history/contact_growth.hpp"
-#include "stickslip/analytic/boundary_integral.hpp"
 #include "stickslip/analytic/slip_modes.hpp"
-#include "stickslip/analytic/tip_mobility.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "studies/analyses/problem_warnings.hpp"
@@ -193,29 +191,6 @@ TEST(BoundaryIntegralGrowth, IsThatOfTheBeamOrLess) {
       EXPECT_LE(bound, beam_bound * (1.0 + 1e-4)) << stages;
       EXPECT_GT(bound, 0.9 * beam_bound) << stages;
     }
-}
-
-// With kappa' the least Re Z on |zeta| = exp(-sigma h), Parseval gives ||dv|| <= ||df_h||/(kappa' - kappa) in
-// the norm with the weight exp(-2 sigma t).
-TEST(BoundaryIntegralGrowth, BoundsTheSeparationOfTwoHistories) {
-  constexpr int stages = 3;
-  constexpr double h = 1e-4, sigma = 60.0, larger = 1.5 * kappa;
-  ASSERT_TRUE(studies::grows_at_most(studies::stepped_contact(paper_beam(), h, stages), larger, sigma));
-  constexpr std::size_t steps = 2000;
-  const auto weights = analytic::mobility_weights(analytic::TipMobility(paper_beam()), h, steps, stages);
-  const auto velocities = [&](double disturbance) {
-    std::vector<double> held(steps);
-    for (std::size_t n = 0; n < steps; ++n) held[n] = 600.0 * std::sin(157.0 * static_cast<double>(n) * h);
-    held[100] += disturbance;
-    return analytic::contact_steps(weights, {500.0, paper_friction()}, held);
-  };
-  const auto a = velocities(0.0), b = velocities(1.0);
-  double separation = 0.0;
-  for (std::size_t n = 0; n < steps; ++n)
-    separation += std::pow(a[n].sliding_velocity - b[n].sliding_velocity, 2) *
-                  std::exp(-2.0 * sigma * h * static_cast<double>(n));
-  EXPECT_GT(separation, 0.0);
-  EXPECT_LE(std::sqrt(separation), std::exp(-sigma * h * 100.0) / (larger - kappa));
 }
 
 // A stand-in for the converged history, which takes minutes: only its times and its range matter here.

@@ -126,6 +126,16 @@ TEST(CriterionMap, HoldsTheCriterionOfEachCell) {
   problem = flat_case_of(0.1);
   for (const auto& cell : studies::criterion_map({.problem = problem, .x = x, .y = y}).cells)
     expect_criterion(case_of(problem, x, y, cell), 0.1, cell);
+  // With shear a map over the frequency shares one reaction, and one over the length does not.
+  problem = data::load_case("paper");
+  problem.beam = studies::with_shear(problem.beam);
+  const auto amplitude = map_axis("excitation.amplitude", 1e-4, 1e-3, 2, false);
+  for (const auto parameter : {"excitation.frequency_hz", "beam.length"}) {
+    const double value = data::value_of(problem, parameter);
+    const auto axis = map_axis(parameter, 0.7 * value, 0.8 * value, 2, false);
+    for (const auto& cell : studies::criterion_map({.problem = problem, .x = axis, .y = amplitude}).cells)
+      expect_criterion(case_of(problem, axis, amplitude, cell), 10.0, cell);
+  }
 }
 
 TEST(CriterionMap, OfADampedBeamHoldsTheDampedForceOfEachCell) {

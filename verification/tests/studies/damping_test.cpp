@@ -6,7 +6,6 @@
 
 #include "stickslip/analytic/damped_reaction.hpp"
 #include "stickslip/analytic/damped_steady_state.hpp"
-#include "stickslip/analytic/slip_modes.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "support/mesh.hpp"
 #include "support/order.hpp"
@@ -107,35 +106,6 @@ TEST(DampedFrequencyResponse, HasOrderFourInAmplitudeAndPhase) {
       EXPECT_TRUE(order_is(levels, 4.0, constant)) << v.name() << ", " << name;
     }
   }
-}
-
-STICKSLIP_VERIFIES(ModalDamping, "X8");
-// P = 0. Analytic free modes of unit tip deflection have int W^2 dx = L/4 and int W dx = (-1)^(n+1)
-// sigma/beta with sigma = (cosh b + cos b)/(sinh b + sin b), b = beta L.
-TEST(ModalDamping, OfTheFreeTipIsTheSumOverItsModesToFourthOrder) {
-  for (const double hz : {5.0, 25.0, 70.0})
-    for (const double zeta : {0.005, 0.2}) {
-      const Vibration v{hz, data::Damping({.ratio = zeta}), TipSupport::free, 0.0};
-      const double omega = v.omega();
-      Complex exact = amplitude;
-      for (const auto& mode : analytic::slip_modes(v.beam(), 200)) {
-        const double b = 2.0 * mode.trigonometric_wave_number(), natural = mode.angular_frequency();
-        const double sigma = (1.0 + std::cos(b) / std::cosh(b)) / (std::tanh(b) + std::sin(b) / std::cosh(b));
-        exact += amplitude * (mode.number() % 2 == 1 ? 4.0 : -4.0) * sigma / b * omega * omega /
-                 (natural * natural - omega * omega + 2.0 * imaginary_unit * zeta * natural * omega);
-      }
-      // The next term is (beta l)^2/40 of the first and, since u'''' does not vanish at a free tip, 10/(beta
-      // L) of itself more.
-      const double beta = std::sqrt(omega) * std::pow(10.0 / 16666.666666666668, 0.25);
-      std::vector<OrderLevel> levels;
-      for (const int elements : {8, 12, 16, 24}) {
-        const double length = 2.0 / elements;
-        levels.push_back({length, std::abs(frequency_domain(v, elements).tip - exact),
-                          std::pow(beta * length, 2) / 40.0 * (1.0 + 5.0 / beta),
-                          mesh_round_off(elements, std::abs(exact), std::abs(exact)).value});
-      }
-      EXPECT_TRUE(order_is(levels, 4.0)) << v.name();
-    }
 }
 
 // f(t) of the bonded tip over 0.2 s. A quarter of the step with half the element leaves 1/16 of the error; twice the

@@ -21,7 +21,8 @@ bool sticks_on_a_grid(const data::Case& problem, const FrequencyBand& band, int 
     const auto excitation =
         with_value(problem, "excitation.frequency_hz", std::lerp(band.from_hz, band.to_hz, share)).excitation;
     const auto criterion =
-        analytic::evaluate_criterion(problem.beam, problem.friction, excitation, problem.numerics.duration());
+        analytic::evaluate_criterion(problem.beam, problem.friction, excitation, problem.numerics.duration(),
+                                     10, analytic::SteadyPart::modal_sum, 1e-10, problem.damping);
     if (criterion.verdict == analytic::Verdict::stick_slip) return false;
   }
   return true;
@@ -33,6 +34,21 @@ void expect_to_tile(const DesignScan& scan, double from, double to) {
   EXPECT_EQ(scan.intervals.back().to, to);
   for (std::size_t i = 1; i < scan.intervals.size(); ++i)
     EXPECT_EQ(scan.intervals[i].from, scan.intervals[i - 1].to);
+}
+
+const DesignInterval& interval_at(const DesignScan& scan, double value) {
+  return *std::ranges::find_if(scan.intervals,
+                               [&](const auto& i) { return i.from <= value && value <= i.to; });
+}
+
+// At equal steps of the length, with an excitation of one frequency.
+void expect_verdicts_of_the_criterion(const data::Case& problem, const DesignScan& scan, int steps) {
+  for (int i = 0; i <= steps; ++i) {
+    const double length = std::lerp(scan.intervals.front().from, scan.intervals.back().to, 1.0 * i / steps);
+    EXPECT_EQ(sticks_on_a_grid(with_value(problem, "beam.length", length), {25.0, 25.0}, 1),
+              interval_at(scan, length).sticks)
+        << length;
+  }
 }
 
 // Between stick and slip, the criterion sticks at the end itself and slips within the accuracy behind it.
@@ -47,11 +63,6 @@ void expect_ends_of_the_criterion(const data::Case& problem, const DesignScan& s
         sticks_on_a_grid(with_value(problem, scan.parameter, end - inwards * scan.accuracy), band, 1))
         << end;
   }
-}
-
-const DesignInterval& interval_at(const DesignScan& scan, double value) {
-  return *std::ranges::find_if(scan.intervals,
-                               [&](const auto& i) { return i.from <= value && value <= i.to; });
 }
 
 STICKSLIP_VERIFIES(BandMargin, "X15");
@@ -119,12 +130,7 @@ TEST(DesignScan, AvoidsTheTwoLengthsOfFigure14) {
     EXPECT_LT(avoided.to - avoided.from, 0.06);
   }
   expect_ends_of_the_criterion(problem, scan, 25.0);
-  for (int i = 0; i <= 400; ++i) {
-    const double length = 0.4 + 0.004 * i;
-    EXPECT_EQ(sticks_on_a_grid(with_value(problem, "beam.length", length), {25.0, 25.0}, 1),
-              interval_at(scan, length).sticks)
-        << length;
-  }
+  expect_verdicts_of_the_criterion(problem, scan, 400);
 }
 
 TEST(DesignScan, FindsTheEndsOfAxialForcesAndTheBucklingLoad) {
@@ -266,14 +272,7 @@ TEST(DesignScan, OfADampedBeamIsThatOfTheCriterion) {
   const auto scan = studies::design_scan(problem, "beam.length", {0.7, 1.2}, {25.0, 25.0});
   expect_to_tile(scan, 0.7, 1.2);
   ASSERT_GE(scan.intervals.size(), 3u);
-  for (int i = 0; i <= 200; ++i) {
-    const double length = std::lerp(0.7, 1.2, i / 200.0);
-    const data::Case there = with_value(problem, "beam.length", length);
-    const auto criterion =
-        analytic::evaluate_criterion(there.beam, there.friction, there.excitation, 10.0, 10,
-                                     analytic::SteadyPart::modal_sum, 1e-6, problem.damping);
-    EXPECT_EQ(criterion.verdict == analytic::Verdict::stick, interval_at(scan, length).sticks) << length;
-  }
+  expect_verdicts_of_the_criterion(problem, scan, 200);
 }
 
 TEST(DesignScan, OfALengthOverBucklingSaysSo) {

@@ -142,20 +142,6 @@ INSTANTIATE_TEST_SUITE_P(Method, HistoryBy, ::testing::ValuesIn(studies::method_
                            return text;
                          });
 
-STICKSLIP_VERIFIES(EventPosition, "X9");
-// On a wall that moves a tip that sticks goes with it.
-TEST(EventPosition, IsInTheFrameAtRest) {
-  const data::Case problem = case_of("damped", {{"wall.speed", "0.02"}});
-  const auto stepped = studies::method("fe").run(problem, {}, {}, {}),
-             by_events = studies::method("event-driven").run(problem, {}, {}, {});
-  for (const studies::History* history : {&stepped, &by_events}) {
-    const auto onset = history->events.front();
-    ASSERT_EQ(onset.change, ContactChange::onset);
-    EXPECT_TRUE(within(onset.position, 0.02 * onset.time, round_off(100, 1, 1e-3)));
-  }
-  EXPECT_NEAR(stepped.events.front().time, by_events.events.front().time, 1e-5);
-}
-
 STICKSLIP_VERIFIES(MethodRefusals, "X18");
 TEST(MethodRefusals, NameTheKeyAndTheReason) {
   const data::Case spring = case_of("damped", {{"contact.tangential_stiffness", "1e6"}}),

@@ -34,12 +34,6 @@ data::Case paper_at(double hz, double amplitude = half_millimetre) {
   return problem;
 }
 
-data::NumericalSettings with_duration(const data::NumericalSettings& numerics, double duration) {
-  data::NumericalChoices choices = numerics.choices();
-  choices.duration = duration;
-  return data::NumericalSettings(choices);
-}
-
 class SteadyForce : public ::testing::TestWithParam<double> {
  protected:
   const data::Case problem_ = paper_at(GetParam());
@@ -163,7 +157,7 @@ TEST(LateSlips, ArePartOfTheStudy) {
   EXPECT_EQ(whole.amplitudes, (std::vector{0.5e-3, 1e-3}));
   EXPECT_EQ(whole.last_hz, 120);
   data::Case problem = paper();
-  problem.numerics = with_duration(problem.numerics, 0.2);
+  problem = data::with_value(problem, "excitation.duration", 0.2);
   const data::Case damped = data::load_case("damped");
   studies::ConvergedHistory converged;
   converged.time = {0.0, 0.1};

@@ -8,7 +8,6 @@
 #include "stickslip/solver/energy_balance.hpp"
 #include "studies/history/history_convergence.hpp"
 #include "studies/verification/finite_element_contact_model.hpp"
-#include "support/damped_benchmark.hpp"
 #include "support/order.hpp"
 #include "support/published_data.hpp"
 #include "support/testing.hpp"
@@ -102,32 +101,6 @@ TEST(StickSlipBeamLong, StaysBoundedOrSaysWhyItStops) {
         }
       }
 }
-
-class DampedBenchmarkLong : public ::testing::TestWithParam<double> {};
-
-STICKSLIP_VERIFIES(DampedBenchmarkLong, "X9");
-TEST_P(DampedBenchmarkLong, EveryEventOfHalfASecondIsTheSameByBothMethods) {
-  const auto benchmark =
-      studies::damped_benchmark(damped_problem(GetParam()), {.duration = 0.5,
-                                                             .modes = 40,
-                                                             .other_modes = {},
-                                                             .event_driven_elements = {},
-                                                             .elements = {20, 40},
-                                                             .time_steps = {5e-6, 2.5e-6}});
-  EXPECT_GE(benchmark.events.size(), 47u);
-  EXPECT_EQ(benchmark.uncertainties.size(), benchmark.events.size());
-  for (const auto& uncertainty : benchmark.uncertainties) {
-    EXPECT_LT(uncertainty.time, 1e-6);
-    EXPECT_LT(uncertainty.position, 1e-7);
-  }
-  expect_events_of_reference(benchmark, 40, 2.5e-6);
-  const auto fine = benchmark_run(benchmark, "generalised-alpha", 40, 2.5e-6);
-  EXPECT_EQ(fine.each.size(), benchmark.events.size());
-  EXPECT_LT(fine.first_ten.time, 1e-6);
-  EXPECT_LT(fine.first_ten.position, 1e-7);
-}
-
-INSTANTIATE_TEST_SUITE_P(Hz, DampedBenchmarkLong, ::testing::Values(25.0, 70.0), NameOfDouble());
 
 class HistoryConvergenceLong : public ::testing::TestWithParam<double> {};
 

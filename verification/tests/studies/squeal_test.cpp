@@ -11,6 +11,8 @@
 #include "stickslip/solver/beam_simulation.hpp"
 #include "stickslip/solver/contact_mobility.hpp"
 #include "stickslip/solver/sliding_stability.hpp"
+#include "studies/analyses/contact_response.hpp"
+#include "studies/history/method.hpp"
 #include "support/contact_models.hpp"
 #include "support/testing.hpp"
 
@@ -164,30 +166,6 @@ TEST(SteadySliding, OneModeHasTheFormulaOfNegativeDamping) {
   EXPECT_LT(coupling[0] / coupling[1], 4.1);
 }
 
-// The flow of the event-driven method about steady sliding, and the roots of the characteristic equation.
-TEST(SteadySliding, HasTheExponentialsOfItsRootsAsMultipliers) {
-  const data::Case problem = reed();
-  const auto model = analytic::BeamContactModel(problem.beam, problem.friction, problem.excitation,
-                                                problem.damping, 3, problem.wall)
-                         .model();
-  const double slope = analytic::falling_slope(problem.friction, 10.0, 0.3);
-  const auto roots = analytic::sliding_eigenvalues(model, slope);
-  const auto steady = analytic::steady_sliding(problem.beam, problem.friction, problem.wall);
-  // Of these modes: K x = f_d e_c.
-  analytic::ContactKinematics rest{std::vector<double>(3), std::vector<double>(3),
-                                   steady.friction_force / (model.contact_stiffness + model.contact_follower),
-                                   0.0};
-  const double period = 0.004;
-  const auto image = analytic::poincare_map(model, {rest, data::ContactState::slip}, period);
-  const auto multipliers = analytic::eigenvalues(image.derivative);
-  EXPECT_EQ(roots.size(), 4u);  // of three modes and the contact, one of each pair
-  for (const Complex root : roots) {
-    const Complex expected = std::exp(root * period);
-    EXPECT_TRUE(
-        within(nearest(multipliers, expected), expected, discretisation(1e-10, 10.0, "1e-13 a step")));
-  }
-}
-
 TEST(SteadySliding, MapHasTheBoundaryOfTheHopfPoint) {
   const data::Case problem = reed();
   const auto squeal = studies::squeal_of(problem, 3);
@@ -205,6 +183,9 @@ TEST(SteadySliding, MapHasTheBoundaryOfTheHopfPoint) {
   for (const auto& mode : squeal.modes)  // on 20 elements, of fourth order
     EXPECT_LT(std::abs(*mode.finite_element_root / *mode.root - 1.0), 1e-3);
   EXPECT_EQ(squeal.fastest, squeal.modes[0].finite_element_root);
+  const auto roots = analytic::sliding_eigenvalues(studies::response_model(problem), squeal.slope);
+  for (const auto& mode : squeal.modes)  // the same model as a matrix and by its mobility
+    EXPECT_TRUE(within(nearest(roots, *mode.root), *mode.root, round_off(1e4, 1, std::abs(*mode.root))));
   EXPECT_TRUE(within(squeal.friction_force, 3.0 + 2.0 * std::exp(-1.5), round_off(10, 1, 5.0)));
   EXPECT_TRUE(within(squeal.slope, 10.0 * std::exp(-1.5), round_off(10, 1, 10.0)));
   const double tip = analytic::steady_sliding(problem.beam, problem.friction, problem.wall).tip_displacement;
@@ -259,40 +240,27 @@ TEST(SteadySliding, DivergesWithARealRootOfTheCharacteristicEquation) {
   EXPECT_NEAR((1.0 / mobility(squeal.fastest)).real() / squeal.slope, 1.0, 1e-3);
 }
 
-data::NumericalSettings mesh_modes_and_step(const data::Case& problem, int elements, int modes, double step) {
-  data::NumericalChoices choices = problem.numerics.choices();
-  choices.elements = elements;
-  choices.modes = modes;
-  choices.time_step = step;
-  return data::NumericalSettings(choices);
-}
-
-// The changes of contact of a run by time steps.
-std::vector<data::ContactEvent> events_of(const data::Case& problem, const data::NumericalSettings& numerics,
-                                          double duration) {
-  solver::BeamSimulation run(problem.beam, problem.friction, problem.excitation, numerics,
-                             {.damping = problem.damping, .wall = problem.wall});
-  while (run.time() < duration) run.step();
-  return run.integrator().events();
-}
-
 // --- The wall that moves in the time stepper
 
 STICKSLIP_VERIFIES(MovingWallOfTheMesh, "W1");
+// Beside a base that moves, too, and with a friction that has its least value at 0.46 m/s.
 TEST(MovingWallOfTheMesh, HasTheChangesOfTheEventDrivenRun) {
-  const data::Case problem = viscous_reed();
-  analytic::EventDriven exact(analytic::BeamContactModel(problem.beam, problem.friction, problem.excitation,
-                                                         problem.damping, 12, problem.wall)
-                                  .model());
-  exact.advance_to(0.01);
+  data::Case problem = viscous_reed();
+  problem.excitation = shaking(250.0, 5e-5);
+  problem.friction = data::FrictionLaw(
+      {.static_coefficient = 0.5, .kinetic_coefficient = 0.3, .decay = 5.0, .viscous = 0.1});
+  const analytic::BeamContactModel model(problem.beam, problem.friction, problem.excitation, problem.damping,
+                                         24, problem.wall);
+  const auto exact = studies::event_driven_history(model.model(), {0.01}).events;
   std::vector<double> errors;
-  for (const double step : {4e-6, 2e-6}) {
-    const auto events = events_of(problem, mesh_modes_and_step(problem, 12, 10, step), 0.01);
-    ASSERT_EQ(events.size(), exact.events().size());
-    double largest = 0.0;
-    for (std::size_t i = 0; i < events.size(); ++i)
-      largest = largest_or_nan({largest, std::abs(events[i].time - exact.events()[i].time)});
-    errors.push_back(largest);
+  for (const double step : {1e-6, 5e-7}) {
+    const auto events = studies::finite_element_history(studies::refined(problem, 24, step, 0.01), {}).events;
+    ASSERT_EQ(events.size(), exact.size());
+    errors.push_back(studies::largest_difference(events, exact, exact.size()).time);
+    for (const auto& onset : {events.front(), exact.front()}) {  // a tip that sticks goes with the wall
+      EXPECT_EQ(onset.change, data::ContactChange::onset);
+      EXPECT_TRUE(within(onset.position, problem.wall.speed() * onset.time, round_off(100, 1, 1e-3)));
+    }
   }
   // Second order, down to what mesh and modes leave.
   EXPECT_GT(errors[0] / errors[1], 3.5);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// Finite elements against the closed form in the stick state.
 
-#include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/data/case_file.hpp"
@@ -337,36 +336,6 @@ TEST(BeamMotion, EventDrivenIsTheClosedFormUntilTheFirstSlip) {
   const double first_term = 0.5e-3 * ratio * ratio * 1.6 * std::abs(next.participation());
   EXPECT_TRUE(within(studies::largest_difference(events, closed_form, 0.0969), 0.0,
                      discretisation(first_term * next.number() / 4.0, 1.0, "tail of the steady part")));
-}
-
-// Stick, the first slip at 0.0552 s, and the plateau after it; three points in each of 20 elements.
-TEST(BeamMotion, EndsInTheTipOfTheSimulations) {
-  const data::Case at = paper_problem(25.0, 1e-3);
-  const auto grid = studies::snapshots_of(at, 0.0, 0.08, 9, 61);
-  const auto by_elements = studies::finite_element_history(at, grid);
-  const auto by_events = studies::event_driven_history(at, grid);
-  const analytic::BeamContactModel beam(at.beam, at.friction, at.excitation, at.damping, at.numerics.modes());
-  const auto history = studies::event_driven_history(beam.model(), studies::sample_times(0.08, 0.01));
-  solver::BeamSimulation simulation(at.beam, at.friction, at.excitation, at.numerics,
-                                    {.coordinates = solver::Coordinates::fastest});
-  analytic::EventDriven run(beam.model());
-  int slips = 0;
-  for (std::size_t i = 0; i < by_elements.rows.size(); ++i) {
-    for (int n = 0; i > 0 && n < 100; ++n) simulation.step();
-    const auto& snapshot = by_elements.rows[i];
-    EXPECT_EQ(snapshot.time, simulation.time());
-    EXPECT_EQ(snapshot.friction_force, simulation.friction_force());
-    EXPECT_EQ(snapshot.state, simulation.state());
-    EXPECT_TRUE(within(snapshot.displacement.back(), simulation.tip_displacement(), round_off(4, 1, 1e-3)));
-    // U_n(L) is zero but for round-off, in each of ten modes.
-    EXPECT_TRUE(within(by_events.rows[i].displacement.back(), history.rows[i].tip_displacement,
-                       round_off(40, 1, studies::peak(by_events))));
-    run.advance_to(by_events.rows[i].time);
-    EXPECT_EQ(by_events.rows[i].state, run.state());
-    EXPECT_EQ(by_events.rows[i].friction_force, -run.friction_force());  // f = -f_d
-    if (snapshot.state == data::ContactState::slip) ++slips;
-  }
-  EXPECT_GT(slips, 0);
 }
 
 TEST(BeamMotion, RefusesAGridThatCannotBeSampled) {
