@@ -11,7 +11,7 @@
 #include "case_options.hpp"
 #include "command.hpp"
 #include "commands.hpp"
-#include "map_work.hpp"
+#include "map_part.hpp"
 #include "range_text.hpp"
 #include "stickslip/data/input_text.hpp"
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// Parts of the evaluations of a map in CSV files: the output of --shard, and what is kept of an unfinished map.
+/// What `map` does: a whole map, a part of one, the map that parts make, or what a map costs.
+///
+/// Parts of the evaluations of a map are CSV files: the output of --shard, and what is kept of an unfinished map.
 ///
 /// The first line is a comment with a JSON object: which map it is (the case, the axes, the method, the program) and which
 /// part of it. Then come the names of the columns, and a row for each evaluation: its number, the bounds of |f_max| per metre
@@ -21,6 +23,7 @@
 #include <vector>
 
 #include "answer.hpp"
+#include "command.hpp"
 #include "studies/analyses/criterion_map.hpp"
 
 namespace stickslip::cli {
@@ -126,5 +129,24 @@ class UnfinishedMap {
   std::atomic<std::size_t> kept_{};  // read by the thread that an interruption wakes
   std::FILE* stream_{};
 };
+
+/// The files of a map: "-" is standard output, and an empty name no figure.
+struct MapFiles {
+  std::string output = "-", figure;
+};
+
+/// Makes the evaluations that no earlier run has left, and writes the map.
+[[nodiscard]] Answer whole_map(const studies::MapTask& task, const MapFiles& files, Outputs& outputs);
+
+/// The same of one part, which is written as the evaluations that it is; one that is complete already is left alone.
+[[nodiscard]] Answer part_of_map(const studies::MapTask& task, const MapPart& part, const MapFiles& files,
+                                 Outputs& outputs);
+
+/// Writes the map that the files of all parts make.
+[[nodiscard]] Answer merged_map(const std::vector<std::string>& parts, const MapFiles& files,
+                                Outputs& outputs);
+
+/// Times some evaluations of a part and tells what all of them take. Writes nothing.
+[[nodiscard]] Answer cost_of_map(const studies::MapTask& task, const MapPart& part, Outputs& outputs);
 
 }  // namespace stickslip::cli

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "map_work.hpp"
 
 #include <fmt/format.h>
 

@@ -7,7 +7,6 @@
 #include "stickslip/analytic/damped_reaction.hpp"
 #include "stickslip/analytic/damped_steady_state.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
-#include "support/mesh.hpp"
 #include "support/order.hpp"
 #include "support/testing.hpp"
 #include "support/vibration.hpp"

@@ -13,9 +13,9 @@
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "stickslip/solver/modal_analysis.hpp"
-#include "support/mesh.hpp"
 #include "support/random_beams.hpp"
 #include "support/testing.hpp"
+#include "support/vibration.hpp"
 
 namespace stickslip::testing {
 namespace {

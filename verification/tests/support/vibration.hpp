@@ -3,12 +3,13 @@
 
 /// The steady vibration of the beam on a moving base, and its error on a mesh.
 
-#include <Eigen/Core>
+#include <Eigen/Dense>
 #include <complex>
 #include <numbers>
 #include <string>
 
 #include "stickslip/analytic/damped_steady_state.hpp"
+#include "stickslip/solver/beam_simulation.hpp"
 #include "support/beams.hpp"
 
 namespace stickslip::testing {
@@ -93,5 +94,15 @@ class MeshError {
   bool held_{};
   Eigen::Vector4cd exponents_;
 };
+
+/// A stiffness with the deflection of the tip held at zero.
+inline Eigen::MatrixXd with_held_tip(const solver::BeamModel& model, const solver::SparseMatrix& stiffness) {
+  Eigen::MatrixXd held = stiffness;
+  const Eigen::Index tip = model.tip_deflection();
+  held.row(tip).setZero();
+  held.col(tip).setZero();
+  held(tip, tip) = 1.0;
+  return held;
+}
 
 }  // namespace stickslip::testing
