@@ -136,17 +136,6 @@ TEST_F(CommandAnswers, RespondStartsFromRestByBothMethods) {
   EXPECT_NEAR(midspan("event-driven", "zero", 100), stepped, 0.01 * effect);
 }
 
-// --- animate
-
-TEST_F(CommandAnswers, AnimateTakesAsManyFramesAsThereAreTimeSteps) {
-  install_gnuplot(draw_all);
-  const std::string options = "animate --duration 1e-3 --output film --frames ";
-  expect_refused(options + "12", "at most one per time step of 1e-04 s, of which 0.001 s have 11");
-  const Outcome outcome = run(options + "11");
-  EXPECT_EQ(outcome.status, 0) << outcome.errors;
-  EXPECT_TRUE(holds(outcome.output, "\n11 frames written to film\n"));
-}
-
 // --- modes
 
 std::size_t digits_in(const std::string& text) {
@@ -499,18 +488,11 @@ TEST_F(CommandAnswers, DesignPrintsWhatItsJsonHolds) {
 }
 
 TEST_F(CommandAnswers, DesignOfABandWithAResonanceSlips) {
-  const auto answer = json("design paper --band 20:90 --length 1.9:2.1 --force 400:600 --duration 1");
-  ASSERT_EQ(answer["natural_frequencies_in_band"].size(), 2u);
-  EXPECT_EQ(answer["natural_frequencies_in_band"][0]["mode"], 1);
-  EXPECT_NEAR(answer["natural_frequencies_in_band"][0]["frequency_hz"], 24.971958, 1e-6);
-  EXPECT_EQ(answer["natural_frequencies_in_band"][1]["mode"], 2);
-  EXPECT_NEAR(answer["natural_frequencies_in_band"][1]["frequency_hz"], 81.077622, 1e-6);
-  EXPECT_LT(answer["margin"]["upper"], 1.0);
   const std::string text =
       run("design paper --band 20:90 --length 1.9:2.1 --force 400:600 --duration 1").output;
-  EXPECT_TRUE(holds(text, "\nnatural frequencies in the band   1 at 24.9720, 2 at 81.0776\n"));
-  EXPECT_TRUE(holds(text, ": slips\n"));
-  EXPECT_TRUE(holds(text, "slips: natural frequency 1, 2 in the band\n"));
+  for (const char* part : {"\nnatural frequencies in the band   1 at 24.9720, 2 at 81.0776\n", ": slips\n",
+                           "slips: natural frequency 1, 2 in the band\n"})
+    EXPECT_TRUE(holds(text, part));
 }
 
 // The buckling load is 84128 N. The margin is smallest at the end of the band that is nearer to 24.97 Hz.
@@ -618,25 +600,6 @@ TEST_F(CommandAnswers, CommandsThatNeedAWallAtRestSaySo) {
     expect_refused(command, part);
 }
 
-TEST_F(CommandAnswers, OutputsThatExcludeEachOtherAreRefused) {
-  for (const std::string option : {"--events", "--spectrum"})
-    expect_refused("respond paper --json --output h.csv " + option + " -",
-                   "--json and " + option + " - both want standard output");
-  const std::string squeal = "squeal reed --speeds 0.1:1 --ratios 0.01:0.02 ";
-  expect_refused(squeal + "--json --map -", "--json and --map - both want standard output");
-  expect_refused(squeal + "--map a.csv --figure a.csv",
-                 "--figure is a.csv, but must be another file than --map");
-  const std::string map = "squeal reed --map a.csv ", speed = "--speeds: wall.speed is ";
-  expect_refused(map + "--speeds 1e-16:1 --ratios 0.01:0.02",
-                 speed + "1e-16, but must be from 1e-15 to 1e+09");
-  expect_refused(map + "--speeds 0.1:1e12 --ratios 0.01:0.02",
-                 speed + "1e+12, but must be from 1e-15 to 1e+09");
-  const std::string sweep = "sweep paper --parameter amplitude=1e-4:1e-3:3 ";
-  expect_refused(sweep + "--json --output -", "--json and --output - both want standard output");
-  expect_refused(sweep + "--output a.png --figure a.png",
-                 "--figure is a.png, but must be another file than --output");
-}
-
 TEST_F(CommandAnswers, OptionsThatWouldChangeNothingAreRefused) {
   for (const std::string command :
        {"map paper --y length=1:2:2 --x ", "map paper --x length=1:2:2 --y ", "sweep paper --parameter "}) {
@@ -658,6 +621,7 @@ TEST_F(CommandAnswers, SettingsFollowFromTheHighestFrequency) {
   EXPECT_EQ(design["modes"], modes);
   ASSERT_EQ(design["natural_frequencies_in_band"].size(), 1u);
   EXPECT_EQ(design["natural_frequencies_in_band"][0]["mode"], 11);
+  EXPECT_NEAR(design["natural_frequencies_in_band"][0]["frequency_hz"], 2028.94, 0.005);
   const std::string uncertainty = "uncertainty uncertain --samples 5 --set excitation.duration=0.1 --band ";
   EXPECT_TRUE(holds(run(uncertainty + "2020:2040").output, fmt::format(", {} modes; 5 samples", modes)));
   for (const auto& [command, hz] :
@@ -690,15 +654,6 @@ TEST_F(CommandAnswers, MissingFigureScriptsAreToldBeforeTheWork) {
                  "must hold the folders figures, report and site");
   ::unsetenv("STICKSLIP_REPORTS");
   EXPECT_FALSE(std::filesystem::exists("h.csv"));
-}
-
-TEST_F(CommandAnswers, WorkBeyondTheLimitsIsRefused) {
-  const std::string integral = "respond paper --method boundary-integral --output h.csv ";
-  expect_refused(integral + "--set damping.ratio=0.01",
-                 "damping.ratio is 0.01, but must be 0 with the boundary");
-  // 2^24 steps of 1e-8 s are 0.16777 s.
-  expect_refused(integral + "--duration 0.1678 --set numerics.time_step=1e-8",
-                 "excitation.duration is 0.1678, but must be at most 0.168 s, 2^24 steps of 1e-08 s");
 }
 
 TEST_F(CommandAnswers, MapColumnsHaveNameAndUnitOfTheirParameter) {

@@ -65,6 +65,13 @@ TEST_F(ReferenceCommand, RefusesAPackageThatHasBeenAltered) {
   std::filesystem::copy(fixture, "package", std::filesystem::copy_options::recursive);
   std::ofstream("package/beams.csv", std::ios::app) << "strip,1,20\n";
   expect_refused("reference export beams --package package", "beams.csv: its size is");
+  std::filesystem::resize_file("package/beams.csv", 50'000'001);
+  for (const std::string command : {"reference list", "reference show beams", "compare beams mine.csv"})
+    expect_refused(command + " --package package",
+                   "beams.csv: is larger than the 50000000 bytes that are allowed");
+  std::filesystem::resize_file("package/datapackage.json", 10'000'001);
+  expect_refused("reference show beams --package package",
+                 "datapackage.json: is larger than the 10000000 bytes that are allowed");
   expect_refused("reference list --package none", "datapackage.json: cannot be opened");
   expect_refused("reference show --package '" + fixture + "'", "NAME is required");
   expect_refused("reference", "a subcommand of reference, one of list, show, export, is required");
@@ -137,19 +144,6 @@ TEST_F(MeasurementOfACase, IsRefusedWithThePlaceThatIsWrong) {
 }
 
 STICKSLIP_VERIFIES(CompareCommand, "U1");
-TEST_F(CompareCommand, ReadsTheFilesThatRespondWrites) {
-  ASSERT_EQ(
-      run("respond damped --method event-driven --set numerics.modes=20 --duration 0.12 --every 1 --output "
-          "history.csv --events events.csv")
-          .status,
-      0);
-  // Twenty modes against forty: events differ by 8e-9 s and 1.2e-8 m, the force by 0.1 N.
-  const Outcome outcome = run(in_fixture("compare damped-history history.csv") + "--events events.csv");
-  EXPECT_EQ(outcome.status, 0) << outcome.output << outcome.errors;
-  EXPECT_TRUE(holds(outcome.output, "1001 beyond the horizon"));
-  EXPECT_EQ(run(in_fixture("compare damped-events events.csv")).status, 0);
-}
-
 TEST_F(CompareCommand, ReadsTheHistoriesThatRespondWritesAtAnyStep) {
   for (const char* step : {"7e-5", "3e-4"}) {
     ASSERT_EQ(run(fmt::format("respond damped --method event-driven --set numerics.modes=20 --duration 0.5 "
@@ -189,20 +183,6 @@ TEST_F(CompareCommand, HoldsARunOfOnesOwnAgainstAnother) {
   expect_refused("compare none.csv other.csv", "none.csv");
 }
 
-TEST_F(CompareCommand, SaysTheLargestErrorOfAnUndampedHistory) {
-  // The contact by the letter of the paper, on the mesh and the step that it takes.
-  ASSERT_EQ(run("respond paper --hz 25 --amplitude 1e-3 --duration 0.5 --scheme paper --every 5 --output "
-                "history.csv")
-                .status,
-            0);
-  const Outcome outcome = run("compare undamped-history-25 history.csv --json -");
-  EXPECT_EQ(outcome.status, 1) << outcome.errors;
-  const auto tip = nlohmann::json::parse(outcome.output)["quantities"][0];
-  EXPECT_EQ(tip["quantity"], "tip_displacement");
-  EXPECT_EQ(tip["compared"], 1001);
-  EXPECT_GT(tip["error"], 0.1);  // 40 %
-}
-
 TEST_F(CompareCommand, SaysWhatDiffersAndWhatItLooksLike) {
   const std::string rows = "--rows 1:2 --tolerance 1e-9 ";
   EXPECT_EQ(run(command("stick-frequencies", right, rows)).status, 1);
@@ -216,14 +196,6 @@ TEST_F(CompareCommand, SaysWhatDiffersAndWhatItLooksLike) {
   const Outcome quiet = run(command("stick-frequencies", printed, "--quiet"));
   EXPECT_EQ(quiet.status, 1);
   EXPECT_EQ(quiet.output + quiet.errors, "");
-}
-
-TEST_F(CompareCommand, EndsWithThreeIfSomethingIsUndecided) {
-  const std::string text = contents(fixture + "/damped/events.csv");
-  const Outcome outcome = run(command("damped-events", text, "--tolerance 1e-9"));
-  EXPECT_EQ(outcome.status, 3);
-  EXPECT_TRUE(holds(outcome.output, "undecided (5 of 6)"));
-  EXPECT_TRUE(holds(outcome.output, "\nundecided: "));
 }
 
 TEST_F(CompareCommand, NeverTakesAPartOfATableForTheWhole) {
@@ -290,28 +262,6 @@ TEST_F(CompareCommand, GivesEachSequenceOfEventsAVerdict) {
                     "\nrun = a  agrees   strict  -\nrun = b  differs  1e-2    time: 0.001 s at event 1"));
   EXPECT_TRUE(holds(contents("a.xml"), "name=\"run = a\" />"));
   EXPECT_EQ(comparison(command("cubic-events", text), 1)["parts"][1]["verdict"], "differs");
-}
-
-TEST_F(CompareCommand, ComparesUpToTheHorizonWhateverLaterTimeIsGiven) {
-  const std::string text = run(in_fixture("reference export damped-history")).output;
-  const auto quantities = [&](const std::string& options) {
-    return comparison(command("damped-history", text, options), 0)["quantities"];
-  };
-  const auto whole = quantities("");
-  EXPECT_EQ(quantities("--until 1e3"), whole);
-  const auto early = quantities("--until 0.05");
-  ASSERT_EQ(early.size(), whole.size());
-  std::size_t curves = 0;  // of the deflection and the force; the phase has none
-  for (std::size_t i = 0; i < whole.size(); ++i) {
-    EXPECT_GT(early[i]["compared"], 0);
-    EXPECT_LT(early[i]["compared"], whole[i]["compared"]);
-    for (const auto& series : early[i]["series"]) {
-      ++curves;
-      EXPECT_EQ(series["abscissa"].size(), early[i]["compared"]);
-      for (const double t : series["abscissa"]) EXPECT_LE(t, 0.05);
-    }
-  }
-  EXPECT_EQ(curves, 2u);
 }
 
 TEST_F(CompareCommand, WritesTheNumbersAndTheDiagnosisAsJson) {
@@ -419,16 +369,6 @@ TEST_F(CompareCommand, SaysAllThatTheComparisonFound) {
     "finding": "unexplained", "distance_from_truth": 0.1, "uncertainty": 0.25, "required_ratio": 4.0,
     "named": ["one"], "ranking": [{"name": "tension", "distance": 0.5, "distance_from_truth": 0.75}]},
     {"group": "", "quantity": "t", "sentence": "no diagnosis", "finding": null}])"));
-}
-
-TEST_F(CompareCommand, WritesATestCaseForEachQuantityAsJUnit) {
-  const std::string text = contents(fixture + "/damped/events.csv");
-  EXPECT_EQ(run(command("damped-events", text, "--junit results.xml")).status, 0);
-  pugi::xml_document document;
-  ASSERT_TRUE(document.load_file("results.xml"));
-  EXPECT_EQ(document.select_nodes("//testcase[not(*)]").size(), 4u);
-  const std::string log = document.select_node("//system-out").node().text().get();
-  EXPECT_TRUE(log.starts_with("mine.csv\ndamped-events: ")) << log;
 }
 
 TEST_F(CompareCommand, DrawsWhatItCompared) {

@@ -20,11 +20,6 @@ std::string told_after(const Error& error, int status) {
 }
 
 STICKSLIP_VERIFIES(ExitStatus, "U2");
-TEST(ExitStatus, IsThatOfTheWork) {
-  EXPECT_EQ(exit_status_of([] { return 0; }), 0);
-  EXPECT_EQ(exit_status_of([] { return 1; }), 1);
-}
-
 TEST(ExitStatus, IsTwoForWhatTheUserCanMend) {
   EXPECT_EQ(told_after(data::FieldError("beam.length", -2.0, "above 0"), 2),
             "stickslip: beam.length is -2, but must be above 0\n");

@@ -73,8 +73,8 @@ TEST_F(MapShards, AreTheSameMapOnAnyNumberOfThreads) {
 }
 
 TEST_F(MapShards, MergeToTheBytesOfTheWholeMap) {
-  for (const std::string& map :
-       {closed_form, finite_elements, closed_form + "--set friction.decay=inf ", motion}) {
+  for (const std::string& map : {closed_form, finite_elements, closed_form + "--set friction.decay=inf ",
+                                 motion, closed_form + "--states-only "}) {
     const std::string whole = made(map, "whole.csv");
     for (const int parts : {1, 2, 3, 7}) {  // the second map has three evaluations
       make_shards(map, parts);
@@ -83,12 +83,9 @@ TEST_F(MapShards, MergeToTheBytesOfTheWholeMap) {
   }
 }
 
-TEST_F(MapShards, MergeToTheStatesOfAMapWithoutRatios) {
-  const std::string map = closed_form + "--states-only ";
-  const std::string whole = made(map, "whole.csv");
-  make_shards(map, 2);
-  EXPECT_EQ(made(merge(2), "merged.csv"), whole);
-  const auto with = csv(made(closed_form, "with.csv")), without = csv(whole);
+TEST_F(MapShards, HaveTheSameStatesWithoutRatios) {
+  const auto with = csv(made(closed_form, "with.csv")),
+             without = csv(made(closed_form + "--states-only ", "without.csv"));
   ASSERT_EQ(with.size(), without.size());
   for (std::size_t i = 2; i < with.size(); ++i) {
     if (with[i].empty()) continue;
@@ -239,7 +236,14 @@ TEST_F(MapShards, OfAnotherOrADamagedMapDoNotMerge) {
   expect_refused_with(R"("program":"stickslip )", R"("program":"another )", "was made by another ");
   (void)made(closed_form + shard(7, 7), "shard-7");
   expect_refused("map --merge " + name(7), "shard 1, 2, 3, 4, 5 and 1 more of 7 are missing beside shard-7");
-  expect_refused("map --merge none", "none: cannot be opened for reading");
+  std::ofstream("empty") << "";
+  std::ofstream("oversized") << "";
+  fs::resize_file("oversized", 500'000'001);
+  for (const auto& [file, why] : {std::pair{"none", "cannot be opened for reading"},
+                                  {".", "is a folder"},
+                                  {"empty", "is empty"},
+                                  {"oversized", "is larger than the 500000000 bytes"}})
+    expect_refused(std::string("map --merge ") + file, fmt::format("--merge: {}: {}", file, why));
 }
 
 TEST_F(MapShards, RefuseWhatDoesNotGoTogether) {
@@ -250,7 +254,6 @@ TEST_F(MapShards, RefuseWhatDoesNotGoTogether) {
   expect_refused(closed_form + shard(1, 2) + output("shard") + "--figure map.png", "--shard");
   expect_refused("map paper --merge shard", "--merge");
   expect_refused("map --merge shard --states-only", "--merge");
-  expect_refused("map --threads 0", "--threads is 0, but must be an integer from 1 to 1024");
   EXPECT_EQ(all_files("."), (std::vector<std::string>{"stderr", "stdout"}));
   EXPECT_TRUE(holds(run(closed_form + shard(1'000'000, 1'000'000) + output("shard")).output,
                     "\nShard 1000000 of 1000000, 0 of 15 evaluations, written to shard\n"));

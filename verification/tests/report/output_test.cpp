@@ -71,29 +71,6 @@ TEST_F(ReportOutput, IsRefusedWhereAFileStands) {
   EXPECT_THROW(const report::OutputFolder output(folder_), data::InputError);
 }
 
-TEST_F(ReportOutput, RefusesAnUnknownFigureByNamingTheKnownOnes) {
-  const std::string sentence = testing::error_message_of<data::InputError>([&] {
-    report::write_report(
-        {.output = folder_, .only = {"fig9", "fig99"}, .quiet = true, .version = "", .commit = ""});
-  });
-  EXPECT_NE(sentence.find("'fig99'"), std::string::npos) << sentence;
-  for (const std::string& name : report::figure_names())
-    EXPECT_NE(sentence.find(name), std::string::npos) << sentence;
-  EXPECT_FALSE(fs::exists(folder_));
-}
-
-TEST_F(ReportOutput, KeepsTheDataOfAFigureWhenGnuplotIsMissing) {
-  const std::string path = std::getenv("PATH");
-  ::setenv("PATH", folder_.c_str(), 1);
-  const std::string sentence = testing::error_message_of<std::runtime_error>([&] {
-    report::write_report({.output = folder_, .only = {"fig7"}, .quiet = true, .version = "", .commit = ""});
-  });
-  ::setenv("PATH", path.c_str(), 1);
-  EXPECT_TRUE(sentence.starts_with("gnuplot is not installed")) << sentence;
-  EXPECT_TRUE(fs::exists(folder_ / "fig7.csv"));
-  EXPECT_FALSE(fs::exists(folder_ / "fig7.pdf"));
-}
-
 // Figures of a copy of the templates; the drawings are those of gnuplot.
 class DrawnFigures : public ReportOutput {
  protected:
