@@ -89,6 +89,15 @@ TEST(ForceMaximum, RoundingBoundsTheDistanceToExtendedPrecision) {
   EXPECT_GE(worst, 1e-3 * search.rounding());  // and the bound is not out of all proportion
 }
 
+TEST(ForceMaximum, FindsTheMaximumOfASinusoidAlone) {
+  // Without modes |f| = s |sin(Omega t)|: s after a quarter of a period, before that the value at the end.
+  const analytic::ModalReaction reaction{.quasi_static = -7.0, .modes = {}};
+  const Bounds whole = ForceMaximum(reaction, 2.0, 5.0).refined_to(1e-13);
+  EXPECT_TRUE(within(whole.midpoint(), 7.0, round_off(40, 1, 7.0)));
+  const Bounds part = ForceMaximum(reaction, 2.0, 0.3).refined_to(1e-13);
+  EXPECT_TRUE(within(part.midpoint(), 7.0 * std::sin(0.6), round_off(20, 1, 7.0)));
+}
+
 TEST(ForceMaximum, RefusesWhatCannotBeSearched) {
   const analytic::ModalReaction reaction{.quasi_static = 1.0, .modes = {}};
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();

@@ -69,6 +69,24 @@ TEST(MaximumForce, GapOfHalvingIsOfSecondOrder) {
   }
 }
 
+TEST(MaximumForce, FastSearchEnclosesBeats) {
+  // In runs as short as these a mode and the excitation do not part: one beat stands for both.
+  const double resonance = analytic::stick_modes(paper_beam(), 1).front().frequency_hz();
+  for (const double hz : {resonance, resonance + 0.05, 35.0})
+    for (const int modes : {1, 10})
+      for (double duration = 0.01; duration < 0.2; duration *= 1.05) {
+        const Search search{hz, duration, modes};
+        SCOPED_TRACE(name_of(search));
+        const ForceMaximum fast = fast_search(search);
+        const Bounds maximum = fast.refined_to(1e-12);
+        for (double width = 0.7; width > 1e-5; width /= 3.0) {
+          const Bounds bounds = fast.refined_to(width);
+          EXPECT_LE(bounds.lower, maximum.upper) << width;
+          EXPECT_GE(bounds.upper, maximum.lower) << width;
+        }
+      }
+}
+
 TEST(MaximumForce, EnclosesOneSinusoidToRounding) {
   // sin(t) rises to sin(T); where T^2/8, which the chord leaves open, is less than rounding, rounding alone
   // keeps the two bounds apart.

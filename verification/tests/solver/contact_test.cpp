@@ -399,6 +399,17 @@ TEST(ContactChanges, AreBookedAsCaptureLoss) {
   EXPECT_TRUE(within(balance_of_the_pair(settings).capture_loss, expected, round_off(30, 1, expected)));
 }
 
+TEST(EnergyRecorder, OverwrittenVelocityLeavesAResidual) {
+  // As the paper states it: (1/2) v.M v falls by more or less than the impulse takes.
+  const auto residual = [](ContactScheme scheme) {
+    return std::abs(
+        balance_of_the_pair(
+            {.time_step = 0.003, .spectral_radius = 1.0, .velocity_threshold = 0.05, .scheme = scheme})
+            .residual());
+  };
+  EXPECT_GT(residual(ContactScheme::paper), 100.0 * residual(ContactScheme::located));
+}
+
 TEST(EnergyRecorder, BooksNoImpulseOfAContactOnASpring) {
   // The slider comes to rest while the mass still moves.
   solver::ContactSystem system = contact_system(oscillating_mass);

@@ -131,6 +131,17 @@ TEST(ModalAnalysis, SlipFrequenciesBeyondFlutterAreRefused) {
   EXPECT_THROW((void)solver::stick_modes(solver::BeamModel(paper_beam(), 2), 4), std::invalid_argument);
 }
 
+TEST(ModalAnalysis, ResolvedModesBendUpwardsAtTheClamp) {
+  // Curvature of the first element at x = 0: (6 w_1 - 2 l theta_1)/l^2. A mesh resolves as many modes as it
+  // has elements.
+  constexpr int elements = 10;
+  const solver::BeamModel model(paper_beam(), elements);
+  const double l = 2.0 / elements;
+  for (const auto& modes : {solver::stick_modes(model, elements), solver::slip_modes(model, elements)})
+    for (std::size_t n = 0; n < modes.size(); ++n)
+      EXPECT_GT((6.0 * modes[n].shape[0] - 2.0 * l * modes[n].shape[1]) / (l * l), 0.0) << "mode " << n + 1;
+}
+
 TEST(ModalAnalysis, ModesThatDivergeOnACoarseMeshAreRefused) {
   // Far beyond flutter two elements have real frequencies again, two of them squares of imaginary ones.
   const solver::BeamModel model(paper_beam_with_axial_force(300.0 * rigidity(paper_beam()) / 4.0), 2);
