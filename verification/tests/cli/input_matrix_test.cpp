@@ -865,6 +865,7 @@ class OptionInput : public Drawing {
   [[nodiscard]] Outcome run_here(const std::vector<std::string>& words) const {
     std::vector<const char*> arguments{"stickslip"};
     for (const std::string& word : words) arguments.push_back(word.c_str());
+    std::fflush(nullptr);  // what GoogleTest has said is not the program's
     const int streams[] = {::dup(STDOUT_FILENO), ::dup(STDERR_FILENO)};
     for (const int stream : {STDOUT_FILENO, STDERR_FILENO}) {
       const int file = ::open(path(stream == STDOUT_FILENO ? "stdout" : "stderr").c_str(),
