@@ -8,7 +8,6 @@
 /// analytic/ is not changed.
 
 #include <array>
-#include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
