@@ -553,7 +553,7 @@ class Search {
                                                     "beam.density",
                                                     "beam.axial_force",
                                                     "beam.length"};
-    constexpr std::array factors{0.5, 0.63, 0.8, 0.9, 0.96, 1.04, 1.1, 1.25, 1.6, 2.0};
+    constexpr std::array factors{0.5, 0.63, 0.8, 0.9, 0.96, 0.98, 1.02, 1.04, 1.1, 1.25, 1.6, 2.0};
     constexpr double worth_fitting = 0.8, golden = 0.6180339887498949;
     constexpr int halvings = 16;
     ComparedValues values;
@@ -604,8 +604,10 @@ class Search {
     return std::isfinite(time) ? fmt::format(" up to {:g} s", time) : "";
   }
 
-  // The nearest wrong model, or the reason why there is none; no sentence where there is nothing to say.
+  // The nearest wrong model, or the reason why there is none; no sentence where there is nothing to say. A model that is
+  // farther away than this may be near by accident, and a number that is wrong nearer.
   [[nodiscard]] Diagnosis diagnose_by_models(const Question& question) const {
+    constexpr double rough = 5e-3;
     const auto& [compared, group, problem, values] = question;
     const auto quantity = quantity_of(compared.name);
     if (!problem || !quantity) return {};
@@ -618,8 +620,10 @@ class Search {
                                         : model_results(seen.cases, *quantity, seen.abscissa, progress_);
       Diagnosis found =
           comparison::diagnose(relative_to_data(computed, seen.truth), seen.values, seen.uncertainty);
-      if (found.finding == Finding::unexplained && seen.cases.empty())
-        if (const auto number = wrong_number(*problem, *quantity, seen))
+      const bool is_rough = found.finding == Finding::mistaken && found.ranked.front().distance > rough;
+      if ((found.finding == Finding::unexplained || is_rough) && seen.cases.empty())
+        if (const auto number = wrong_number(*problem, *quantity, seen);
+            number && number->distance < found.ranked.front().distance)
           return diagnosis_of(question, *number);
       if (found.finding == Finding::correct)
         found.sentence =
