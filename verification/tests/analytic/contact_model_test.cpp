@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// The beam as a ContactModel: its closed forms against quadrature, its modes and reactions in the limit.
+/// The beam as a ContactModel: its closed forms against quadrature, its reaction in the limit.
 
 #include <Eigen/Dense>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// The damped steady vibration in closed form: its equation and boundary conditions, its dissipation and its force.
+/// The damped steady vibration in closed form: its equation and boundary conditions, and its dissipation.
 
 #include "stickslip/analytic/damped_steady_state.hpp"
 #include "support/testing.hpp"
