@@ -443,7 +443,7 @@ TEST(EnergyAudit, KeepsOneEventDrivenRunBesideEveryMesh) {
                      discretisation(1e-12 * 1e4 * exact.base_work, 1.0, "tolerance of the integrator")));
   for (const auto& mesh : audit.meshes) {
     // The next term is omega h = 0.15 of the first for the highest mode of 10 elements, which is damped away
-    // within steps of a change: as for EnergyResidualOfTheBeam.
+    // within steps of a change: as for EnergyResidual.
     EXPECT_TRUE(within(mesh.observed_order.order, 2.0, discretisation(0.1, 1.0, "next term omega h")))
         << mesh.elements;
     EXPECT_EQ(mesh.observed_order.levels, 3);
