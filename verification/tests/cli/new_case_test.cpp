@@ -202,11 +202,11 @@ TEST_F(RespondFigure, IsDrawnFromTheRowsAndTheLimit) {
                    "--figure is b.png, but must be another file than " + other);
 }
 
-// The rows of a table of numbers under its names, which the first two lines describe.
+// The rows of a table of numbers under its names.
 std::vector<std::vector<double>> numbers(const std::string& table) {
   auto rows = csv(table);
   std::vector<std::vector<double>> values;
-  for (std::size_t i = 3; i < rows.size(); ++i) {
+  for (std::size_t i = 1; i < rows.size(); ++i) {
     auto& row = values.emplace_back();
     for (const auto& cell : rows[i]) row.push_back(std::stod(cell));
   }
