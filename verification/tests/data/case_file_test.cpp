@@ -528,7 +528,7 @@ TEST_F(CaseShorthand, IsRefusedAsAnOverrideWithoutAMeaning) {
       {"beam.area=3", "beam.area is 3 (an integer), but must be missing where section.shape is given"},
       {"beam.material=stel",
        "beam.material is stel (did you mean steel?), but must be one of steel, stainless-steel, aluminium, "
-       "titanium, glass, abs, pp, pa6, pom, pmma, softwood"},
+       "titanium, glass, abs, pp, pa6, pom, natural-rubber, pmma, softwood"},
       {"beam.length=3 s",
        "beam.length is 3 s, but must be a number (m) or a text of a number and a unit: m, cm, mm, um, nm"}};
   for (const auto& [override, sentence] : overrides)
