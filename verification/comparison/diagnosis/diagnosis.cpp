@@ -553,7 +553,8 @@ class Search {
                                                     "beam.density",
                                                     "beam.axial_force",
                                                     "beam.length"};
-    constexpr std::array factors{0.5, 0.63, 0.8, 0.9, 0.96, 0.98, 1.02, 1.04, 1.1, 1.25, 1.6, 2.0};
+    constexpr std::array factors{0.5,  0.63, 0.8,  0.9, 0.96, 0.98, 0.99,
+                                 1.01, 1.02, 1.04, 1.1, 1.25, 1.6,  2.0};
     constexpr double worth_fitting = 0.8, golden = 0.6180339887498949;
     constexpr int halvings = 16;
     ComparedValues values;
