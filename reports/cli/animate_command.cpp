@@ -52,9 +52,11 @@ Answer animate(const AnimateOptions& options, Outputs& outputs) {
                     static_cast<long>(duration / problem.numerics.time_step() * (1.0 + 1e-12)) + 1));
   const studies::Method& method = studies::method(options.method);
   method.require(problem);
-  report::write_animation(
-      problem,
-      {.method = &method, .frames = options.frames, .output = options.output, .quiet = outputs.is_quiet()});
+  report::write_animation(problem, {.method = &method,
+                                    .frames = options.frames,
+                                    .output = options.output,
+                                    .heading = outputs.heading("Motion of the beam"),
+                                    .quiet = outputs.is_quiet()});
   Answer answer;
   answer.add_line(fmt::format("{} frames written to {}", options.frames, options.output));
   answer.add_members({{"method", options.method},

@@ -145,7 +145,8 @@ void write_animation(const data::Case& problem, const AnimationOptions& options)
   const studies::Sampling sampling =
       studies::snapshots_of(problem, 0.0, problem.numerics.duration(), options.frames, positions);
   const studies::History motion = motion_of(problem, options, sampling);
-  output.write("motion.csv", table_of(problem, motion, sampling.positions, 0, motion.rows.size()).text());
+  const std::string rows = table_of(problem, motion, sampling.positions, 0, motion.rows.size()).text();
+  output.write("motion.csv", options.heading + rows.substr(rows.find('\n') + 1));
   has_motion = !film;
   const std::vector<fs::path> frames = drawn_frames(problem, motion, sampling.positions, progress, output);
   if (film) {

@@ -11,10 +11,10 @@ namespace stickslip::report {
 
 struct AnimationOptions {
   const studies::Method* method{};
-  int frames{};  ///< 2 ... most_frames, evenly over numerics.duration(), its ends included
-  std::filesystem::path
-      output;    ///< folder that receives the frames, made if missing; or a film, whose name ends in .gif
-  bool quiet{};  ///< no progress on standard error
+  int frames{};                  ///< 2 ... most_frames, evenly over numerics.duration(), its ends included
+  std::filesystem::path output;  ///< folder of the frames, made if missing, or a film, a .gif file
+  std::string heading;           ///< the comment line that begins motion.csv
+  bool quiet{};                  ///< no progress on standard error
 };
 
 inline constexpr int most_frames = 9999;

@@ -539,10 +539,66 @@ class Search {
     return result;
   }
 
-  // One number of the problem times a factor that is fitted: tried in steps of a quarter at most between a half and twice,
-  // then by the golden section where one of them is a fifth nearer than the reference.
-  [[nodiscard]] static std::optional<Hypothesis> wrong_number(const data::Case& problem, Quantity quantity,
-                                                              const Observed& seen) {
+  // What a number of the problem is to explain, and the right result by this program.
+  struct Difference {
+    const data::Case& problem;
+    Quantity quantity;
+    ComparedValues values;
+    std::vector<double> right;
+  };
+
+  // The problem with this number times a factor; at an infinite distance if it has no such state.
+  static Hypothesis with_number(const Difference& difference, std::string_view key, double factor) {
+    const auto& [problem, quantity, values, right] = difference;
+    Hypothesis none;
+    none.distance = std::numeric_limits<double>::infinity();
+    const auto wrong = result_with(problem, key, factor, quantity, values.abscissa);
+    if (!wrong) return none;
+    ModelResults results{
+        .norm = values.norm, .reference = right, .reference_uncertainty = {}, .wrong_models = {}};
+    results.wrong_models.push_back({.name = "wrong-number", .values = *wrong, .free = 1});
+    Hypothesis found = relative_to_data(std::move(results), values.reference).wrong_models.front();
+    found.distance = distance(values.norm, values.reference, values.theirs, found.values);
+    const double value = data::value_of(problem, key);
+    found.sentence = fmt::format("like {} = {:.3g} instead of {:.6g}", key, factor * value, value);
+    return found;
+  }
+
+  // The nearest factor of some between a half and twice and, where it comes a fifth nearer than the reference, the nearest
+  // one between its neighbours by the golden section.
+  static Hypothesis fitted_number(const Difference& difference, std::string_view key) {
+    constexpr std::array factors{0.5,  0.63, 0.8,  0.9, 0.96, 0.98, 0.99,
+                                 1.01, 1.02, 1.04, 1.1, 1.25, 1.6,  2.0};
+    constexpr double worth_fitting = 0.8, golden = 0.6180339887498949;
+    constexpr int sections = 16;
+    const ComparedValues& values = difference.values;
+    Hypothesis best = with_number(difference, key, factors.front());
+    const auto distance_at = [&](double factor) {
+      const Hypothesis here = with_number(difference, key, factor);
+      if (here.distance < best.distance) best = here;
+      return here.distance;
+    };
+    std::size_t nearest = 0;
+    for (std::size_t k = 1; k < factors.size(); ++k)
+      if (const double before = best.distance; distance_at(factors.at(k)) < before) nearest = k;
+    if (!(best.distance <
+          worth_fitting * distance(values.norm, values.reference, values.theirs, values.reference)))
+      return best;
+    double from = factors.at(nearest == 0 ? 0 : nearest - 1),
+           to = factors.at(std::min(nearest + 1, factors.size() - 1));
+    for (int n = 0; n < sections; ++n) {
+      const double low = to - golden * (to - from), high = from + golden * (to - from);
+      if (distance_at(low) < distance_at(high))
+        to = high;
+      else
+        from = low;
+    }
+    return best;
+  }
+
+  // The number of the problem that explains the values best once it is multiplied.
+  static std::optional<Hypothesis> wrong_number(const data::Case& problem, Quantity quantity,
+                                                const Observed& seen) {
     constexpr std::array<std::string_view, 10> keys{"friction.static_coefficient",
                                                     "friction.kinetic_coefficient",
                                                     "friction.decay",
@@ -553,52 +609,24 @@ class Search {
                                                     "beam.density",
                                                     "beam.axial_force",
                                                     "beam.length"};
-    constexpr std::array factors{0.5,  0.63, 0.8,  0.9, 0.96, 0.98, 0.99,
-                                 1.01, 1.02, 1.04, 1.1, 1.25, 1.6,  2.0};
-    constexpr double worth_fitting = 0.8, golden = 0.6180339887498949;
-    constexpr int halvings = 16;
-    ComparedValues values;
+    const auto right = result_with(problem, keys.front(), 1.0, quantity, seen.abscissa);
+    if (!right) return std::nullopt;
+    Difference difference{.problem = problem, .quantity = quantity, .values = {}, .right = *right};
+    ComparedValues& values = difference.values;
     values.norm = quantity == Quantity::contact_event ? data::Norm::relative : data::Norm::scale;
     values.abscissa = seen.abscissa;
     values.theirs = seen.values;
     values.reference = seen.truth;
-    const double whole = distance(values.norm, seen.truth, seen.values, seen.truth);
-    const auto right = result_with(problem, keys.front(), 1.0, quantity, seen.abscissa);
-    std::array<Hypothesis, keys.size()> found;
+    std::array<Candidates, keys.size()> found;
     studies::in_parallel(keys.size(), [&](std::size_t i) {
-      const double value = data::value_of(problem, keys.at(i));
-      Hypothesis& best = found.at(i);
-      best.distance = std::numeric_limits<double>::infinity();
-      const auto distance_at = [&](double factor) {
-        const auto wrong = result_with(problem, keys.at(i), factor, quantity, seen.abscissa);
-        if (!wrong) return std::numeric_limits<double>::infinity();
-        ModelResults one{
-            .norm = values.norm, .reference = *right, .reference_uncertainty = {}, .wrong_models = {}};
-        one.wrong_models.push_back({.name = "wrong-number", .values = *wrong, .free = 1});
-        Hypothesis here = relative_to_data(std::move(one), seen.truth).wrong_models.front();
-        here.distance = distance(values.norm, seen.truth, seen.values, here.values);
-        here.sentence = fmt::format("like {} = {:.3g} instead of {:.6g}", keys.at(i), factor * value, value);
-        if (here.distance < best.distance) best = here;
-        return here.distance;
-      };
-      if (value == 0.0) return;
-      std::size_t nearest = 0;
-      double least = std::numeric_limits<double>::infinity();
-      for (std::size_t k = 0; k < factors.size(); ++k)
-        if (const double here = distance_at(factors.at(k)); here < least) least = here, nearest = k;
-      if (!(least < worth_fitting * whole)) return;
-      double from = factors.at(nearest == 0 ? 0 : nearest - 1),
-             to = factors.at(std::min(nearest + 1, factors.size() - 1));
-      for (int n = 0; n < halvings; ++n) {
-        const double low = to - golden * (to - from), high = from + golden * (to - from);
-        if (distance_at(low) < distance_at(high))
-          to = high;
-        else
-          from = low;
-      }
+      if (data::value_of(problem, keys.at(i)) == 0.0) return;
+      if (auto one = accepted(values, fitted_number(difference, keys.at(i)), static_cast<int>(keys.size())))
+        found.at(i).push_back(*std::move(one));
     });
-    const Hypothesis& nearest = *std::ranges::min_element(found, {}, &Hypothesis::distance);
-    return nearest.values.empty() ? std::nullopt : accepted(values, nearest, static_cast<int>(keys.size()));
+    std::optional<Hypothesis> nearest;
+    for (const Candidates& one : found)
+      if (!one.empty() && (!nearest || one.front().distance < nearest->distance)) nearest = one.front();
+    return nearest;
   }
 
   static std::string up_to(double time) {
