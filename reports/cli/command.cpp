@@ -4,10 +4,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "case_options.hpp"
 #include "stickslip/data/input_text.hpp"
+#include "stickslip/version.hpp"
 #include "studies/common/parallel.hpp"
 
 namespace stickslip::cli {
@@ -26,6 +28,25 @@ void finish(Answer answer, Outputs& outputs) {
 void add_warning(Answer& answer, const std::optional<std::string>& warning) {
   if (!answer.warnings) answer.warnings.emplace();
   if (warning) answer.warnings->push_back(*warning);
+}
+
+std::optional<std::pair<double, double>> size_in(const std::string& text) {
+  constexpr double least = 4.0, most = 100.0;
+  const std::size_t cross = text.find('x');
+  if (cross == std::string::npos) return std::nullopt;
+  const auto width = parse<double>(text.substr(0, cross)), height = parse<double>(text.substr(cross + 1));
+  if (!width || !height || !(std::min(*width, *height) >= least && std::max(*width, *height) <= most))
+    return std::nullopt;
+  return std::pair(*width, *height);
+}
+
+std::string program() { return fmt::format("stickslip {} (commit {})", version, commit); }
+
+std::string command_line() {
+  std::string words = data::read_text("/proc/self/cmdline");
+  if (!words.empty()) words.pop_back();
+  std::ranges::replace(words, '\0', ' ');
+  return words;
 }
 
 void add_json_option(CLI::App& command) {

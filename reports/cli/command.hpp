@@ -47,6 +47,13 @@ void add(CLI::App& app, const Command<Options>& command) {
 /// Adds a warning, if there is one.
 void add_warning(Answer& answer, const std::optional<std::string>& warning);
 
+/// "stickslip 1.0.0 (commit ...)", and the words that it was called with.
+[[nodiscard]] std::string program();
+[[nodiscard]] std::string command_line();
+
+/// The width and the height in WIDTHxHEIGHT, cm; no other text has them.
+[[nodiscard]] std::optional<std::pair<double, double>> size_in(const std::string& text);
+
 /// --json, for an answer with members for it.
 void add_json_option(CLI::App& command);
 

@@ -11,11 +11,11 @@
 #include <utility>
 
 #include "case_options.hpp"
+#include "command.hpp"
 #include "render/external_tool.hpp"
 #include "render/report.hpp"
 #include "stickslip/data/input_error.hpp"
 #include "stickslip/data/input_text.hpp"
-#include "stickslip/version.hpp"
 
 namespace stickslip::cli {
 
@@ -55,25 +55,6 @@ void require_compatible(const std::vector<Outputs::Named>& files, bool is_json) 
 }
 
 }  // namespace
-
-std::optional<std::pair<double, double>> size_in(const std::string& text) {
-  constexpr double least = 4.0, most = 100.0;
-  const std::size_t cross = text.find('x');
-  if (cross == std::string::npos) return std::nullopt;
-  const auto width = parse<double>(text.substr(0, cross)), height = parse<double>(text.substr(cross + 1));
-  if (!width || !height || !(std::min(*width, *height) >= least && std::max(*width, *height) <= most))
-    return std::nullopt;
-  return std::pair(*width, *height);
-}
-
-std::string program() { return fmt::format("stickslip {} (commit {})", version, commit); }
-
-std::string command_line() {
-  std::string words = data::read_text("/proc/self/cmdline");
-  if (!words.empty()) words.pop_back();
-  std::ranges::replace(words, '\0', ' ');
-  return words;
-}
 
 Outputs::Outputs(const CLI::App& command)
     : command_(command.get_name()),

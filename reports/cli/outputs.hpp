@@ -22,10 +22,6 @@
 
 namespace stickslip::cli {
 
-/// "stickslip 1.0.0 (commit ...)", and the words that it was called with.
-[[nodiscard]] std::string program();
-[[nodiscard]] std::string command_line();
-
 /// The output files of a running subcommand. Each appears under its name when it is whole, and is removed if it does not come to
 /// that.
 class Outputs {
@@ -110,8 +106,5 @@ class Outputs {
   std::function<std::string()> sentence_;
   std::optional<report::Interruption> interruption_;  // ends before the rest
 };
-
-/// The width and the height in WIDTHxHEIGHT, cm; no other text has them.
-[[nodiscard]] std::optional<std::pair<double, double>> size_in(const std::string& text);
 
 }  // namespace stickslip::cli
