@@ -235,7 +235,9 @@ class KilledRun : public SignalledRun {
   /// The files that are there have the bytes of the undisturbed run, or the name of an unfinished one.
   void expect_only_whole(const Contents& undisturbed) const {
     for (const std::string& name : all_files(out()))
-      EXPECT_TRUE(undisturbed.contains(name) || name.starts_with('.') || name.ends_with(".partial")) << name;
+      EXPECT_TRUE(undisturbed.contains(name) || name.starts_with('.') ||
+                  name.find("/.") != std::string::npos || name.ends_with(".partial"))
+          << name;
     for (const auto& [name, text] : undisturbed)
       if (std::filesystem::exists(out(name))) {
         ASSERT_TRUE(contents(out(name)) == text) << name;
