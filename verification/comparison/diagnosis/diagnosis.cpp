@@ -544,7 +544,7 @@ class Search {
     const data::Case& problem;
     Quantity quantity;
     ComparedValues values;
-    std::vector<double> right;
+    const std::vector<double>& right;
   };
 
   // The problem with this number times a factor; at an infinite distance if it has no such state.
@@ -598,7 +598,7 @@ class Search {
 
   // The number of the problem that explains the values best once it is multiplied.
   static std::optional<Hypothesis> wrong_number(const data::Case& problem, Quantity quantity,
-                                                const Observed& seen) {
+                                                const Observed& seen, const ModelResults& computed) {
     constexpr std::array<std::string_view, 10> keys{"friction.static_coefficient",
                                                     "friction.kinetic_coefficient",
                                                     "friction.decay",
@@ -609,11 +609,10 @@ class Search {
                                                     "beam.density",
                                                     "beam.axial_force",
                                                     "beam.length"};
-    const auto right = result_with(problem, keys.front(), 1.0, quantity, seen.abscissa);
-    if (!right) return std::nullopt;
-    Difference difference{.problem = problem, .quantity = quantity, .values = {}, .right = *right};
+    Difference difference{
+        .problem = problem, .quantity = quantity, .values = {}, .right = computed.reference};
     ComparedValues& values = difference.values;
-    values.norm = quantity == Quantity::contact_event ? data::Norm::relative : data::Norm::scale;
+    values.norm = computed.norm;
     values.abscissa = seen.abscissa;
     values.theirs = seen.values;
     values.reference = seen.truth;
@@ -649,10 +648,12 @@ class Search {
                                         : model_results(seen.cases, *quantity, seen.abscissa, progress_);
       Diagnosis found =
           comparison::diagnose(relative_to_data(computed, seen.truth), seen.values, seen.uncertainty);
-      const bool is_rough = found.finding == Finding::mistaken && found.ranked.front().distance > rough;
+      const double nearest =
+          found.ranked.empty() ? std::numeric_limits<double>::infinity() : found.ranked.front().distance;
+      const bool is_rough = found.finding == Finding::mistaken && nearest > rough;
       if ((found.finding == Finding::unexplained || is_rough) && seen.cases.empty())
-        if (const auto number = wrong_number(*problem, *quantity, seen);
-            number && number->distance < found.ranked.front().distance)
+        if (const auto number = wrong_number(*problem, *quantity, seen, computed);
+            number && number->distance < nearest)
           return diagnosis_of(question, *number);
       if (found.finding == Finding::correct)
         found.sentence =
