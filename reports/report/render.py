@@ -8,7 +8,7 @@
 Templates are written in Jinja2: << value | filter >>, <% statement %> and <# comment #>. <name> is what the
 program wrote to VALUES/<name>.json; to this come the tables of the paper in DATA/paper and what the
 mutation runs left in verification/mutants. A template says how many
-digits a number has and computes nothing: the filters fixed, sig, sci, compact and plain, after up for what others stay within;
+digits a number has and computes nothing: the filters fixed, sig, sci, compact and plain, and bound for what others stay within;
 percent, milli, micro and nano change the unit. A value that is missing, and a number without a filter, is an error that names it.
 
 Exit status: 2 for test results that cannot be used, 1 for any other error.
@@ -71,15 +71,6 @@ def sci(value, digits):
     return f"\\ensuremath{{{mantissa}\\times10^{{{int(exponent)}}}}}" if value else "0"
 
 
-def up(value, digits):
-    """Rounded away from zero to so many significant digits, for a number that others stay within.
-
-    >>> up(1.425e-8, 1), up(0.03, 1), up(21.4, 2), up(0.0, 2)
-    (2e-08, 0.03, 22.0, 0.0)
-    """
-    return float(decimal.Context(digits, decimal.ROUND_UP).create_decimal(repr(finite(value))))
-
-
 def plain(value):
     """As many digits as the number has.
 
@@ -99,6 +90,15 @@ def compact(value, digits):
     if rounded == 0.0 or 1e-3 <= abs(rounded) < 1e5:
         return plain(rounded)
     return sci(rounded, next(n for n in range(1, digits + 1) if float(f"{rounded:.{n - 1}e}") == rounded))
+
+
+def bound(value, digits):
+    """The same, rounded away from zero: for a number that others stay within, in text and tables alike.
+
+    >>> bound(1.425e-8, 1), bound(0.03, 1), bound(21.4, 2), bound(0.0, 2)
+    ('\\\\ensuremath{2\\\\times10^{-8}}', '0.03', '22', '0')
+    """
+    return compact(float(decimal.Context(digits, decimal.ROUND_UP).create_decimal(repr(finite(value)))), digits)
 
 
 def order(estimate):
@@ -459,7 +459,7 @@ def shown(value):
     return value
 
 
-FILTERS = (fixed, sig, sci, up, plain, compact, order, signed, escape, breakable, typeset, powers, distance_from, error_ratio, largest)
+FILTERS = (fixed, sig, sci, plain, compact, bound, order, signed, escape, breakable, typeset, powers, distance_from, error_ratio, largest)
 
 
 def environment_for(templates):
