@@ -9,7 +9,6 @@
 #include <type_traits>
 
 #include "comparison/diagnosis/wrong_models.hpp"
-#include "render/criterion_map.hpp"
 #include "render/report.hpp"
 #include "render/study_table.hpp"
 #include "stickslip/analytic/band_maximum.hpp"
@@ -20,9 +19,9 @@
 #include "stickslip/data/csv_text.hpp"
 #include "stickslip/data/paper.hpp"
 #include "stickslip/data/problem.hpp"
+#include "stickslip/data/uncertainty.hpp"
 #include "stickslip/solver/energy_balance.hpp"
 #include "studies/analyses/criterion_answer.hpp"
-#include "studies/analyses/criterion_map.hpp"
 #include "studies/analyses/design_guide.hpp"
 #include "studies/analyses/length_force_map.hpp"
 #include "studies/common/problem_parameter.hpp"
@@ -280,6 +279,15 @@ const Study amplitude_limits("amplitude_limits", "critical amplitudes by criteri
                                return studies::amplitude_limits(r.paper, r.damped, frequencies, r(searches));
                              });
 
+const Study amplitude_budget("amplitude_budget", "uncertainty budget of the critical amplitude",
+                             [](Results& r) {
+                               constexpr std::size_t samples = 1000;
+                               const auto file = data::find_case("uncertain");
+                               return studies::amplitude_budget(r(amplitude_limits), r(force_maxima),
+                                                                data::read_case(file),
+                                                                data::read_uncertainty(file), samples);
+                             });
+
 const Study length_force_map("length_force_map", "criterion over length and axial force (Fig. 14)",
                              [](Results& r) {
                                return studies::length_force_map(r.flat_section, 0.4, 2.0,
@@ -406,22 +414,6 @@ const Study force_sensitivity("force_sensitivity", "what moves the printed force
 const Study solution_verification("solution_verification", "grid convergence of each result",
                                   [](Results& r) { return studies::solution_verification(r.paper); });
 
-data::Case stick_case(Results& r) {
-  data::Case problem = r.paper;
-  problem.excitation = r(stick_excitation);
-  return problem;
-}
-
-// At the amplitude of Fig. 4.
-const Study stiffness_map("stiffness_map", "criterion over frequency and stiffness", [](Results& r) {
-  const double modulus = r.paper.beam.youngs_modulus();
-  using studies::map_axis;
-  return studies::criterion_map(
-      {.problem = stick_case(r),
-       .x = map_axis("excitation.frequency_hz", 1.0, 120.0, 239, false),
-       .y = map_axis("beam.youngs_modulus", 0.25 * modulus, 4.0 * modulus, 61, true)});
-});
-
 // The section of Fig. 14 over a band around its frequency.
 const Study design_example("design_example", "lengths and forces that avoid slipping", [](Results& r) {
   const data::Case& problem = r.flat_section;
@@ -547,21 +539,6 @@ FigureData event_order(Results& r) {
                 {{"radius", r(event_orders).front().spectral_radius, "1"}});
 }
 
-FigureData energy(Results& r) {
-  const auto& audits = r(energy_audits);
-  std::vector<FigureData::Value> values{
-      {"damped_elements", static_cast<double>(audits.front().meshes.front().elements), "1"}};
-  int number = 0;
-  for (const auto& mesh : audits.back().meshes)
-    values.push_back({fmt::format("undamped_elements{}", ++number), static_cast<double>(mesh.elements), "1"});
-  return figure(
-      "energy",
-      study_table("Unexplained energy of the time stepper over the base work, spectral radius 1", audits,
-                  "kelvin_voigt, meshes.elements, time_step, meshes.residual, meshes.base_work, "
-                  "event_driven_residual"),
-      values);
-}
-
 FigureData figure9(Results& r) {
   const char* title =
       "Fig. 9: midspan displacement y(L/2, t) and static friction force f(t) of the stick state";
@@ -591,6 +568,16 @@ FigureData limits(Results& r) {
 FigureData models(Results& r) {
   return figure_of_limits(r, "models", "Critical amplitude at a start-up in other models, closed form",
                           "frequency_hz, start_up, shear, fixed_direction, compliant");
+}
+
+FigureData budget(Results& r) {
+  return figure("budget", study_table("What moves the critical amplitude of a start-up", r(amplitude_budget),
+                                      "cause, kind, frequency_hz, fall in %, rise in %"));
+}
+
+FigureData domain(Results& r) {
+  return figure("domain", study_table("Tested cases in dimensionless groups", r(tested_cases),
+                                      "name, load, slenderness, frequency, friction, decay, damping"));
 }
 
 FigureData figure12(Results& r) {
@@ -850,20 +837,33 @@ FigureData rig_drawing(Results& r) {
        {"static_coefficient", problem.friction.static_coefficient(), "1"}});
 }
 
-FigureData map(Results& r) { return figure_of(stick_case(r), r(stiffness_map)); }
-
 }  // namespace
 
 const std::vector<Figure>& all_figures() {
-  static const std::vector<Figure> figures{
-      {"fig1", figure1},          {"fig2", figure2},          {"convergence", convergence},
-      {"fig7", figure7},          {"refinement", refinement}, {"event-order", event_order},
-      {"energy", energy},         {"fig9", figure9},          {"fig12", figure12},
-      {"fig3", figure3},          {"fig4", figure4},          {"fig5", figure5},
-      {"benchmark", benchmark},   {"practice", practice},     {"growth", growth},
-      {"fig10", figure10},        {"limits", limits},         {"models", models},
-      {"fig13", figure13},        {"fig14", figure14},        {"map", map},
-      {"scoreboard", scoreboard}, {"validation", intervals},  {"rig", rig_drawing}};
+  static const std::vector<Figure> figures{{"fig1", figure1},
+                                           {"limits", limits},
+                                           {"domain", domain},
+                                           {"fig2", figure2},
+                                           {"convergence", convergence},
+                                           {"fig7", figure7},
+                                           {"refinement", refinement},
+                                           {"event-order", event_order},
+                                           {"fig9", figure9},
+                                           {"fig12", figure12},
+                                           {"fig3", figure3},
+                                           {"fig4", figure4},
+                                           {"fig5", figure5},
+                                           {"benchmark", benchmark},
+                                           {"practice", practice},
+                                           {"growth", growth},
+                                           {"fig10", figure10},
+                                           {"fig13", figure13},
+                                           {"fig14", figure14},
+                                           {"validation", intervals},
+                                           {"rig", rig_drawing},
+                                           {"scoreboard", scoreboard},
+                                           {"models", models},
+                                           {"budget", budget}};
   return figures;
 }
 

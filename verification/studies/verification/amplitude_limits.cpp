@@ -8,6 +8,7 @@
 #include "stickslip/analytic/damped_steady_state.hpp"
 #include "stickslip/analytic/force_maximum.hpp"
 #include "stickslip/analytic/stick_response.hpp"
+#include "studies/analyses/slip_probability.hpp"
 #include "studies/common/parallel.hpp"
 #include "studies/common/problem_parameter.hpp"
 
@@ -92,6 +93,42 @@ AmplitudeLimits amplitude_limits(const data::Case& paper, const data::Case& damp
       margin_of("Contact that yields", &AmplitudeLimit::compliant, study, natural_hz)};
   compare(study, finite_elements);
   return study;
+}
+
+std::vector<AmplitudeChange> amplitude_budget(const AmplitudeLimits& limits,
+                                              const std::vector<ForceMaximumStudy>& forces,
+                                              const data::Case& problem, const data::Uncertainty& uncertainty,
+                                              std::size_t samples) {
+  std::vector<AmplitudeChange> budget;
+  for (const ForceMaximumStudy& force : forces) {
+    const double hz = force.frequency_hz;
+    const auto add = [&](const std::string& cause, const char* kind, double low, double high) {
+      budget.push_back({cause, kind, hz, std::max(0.0, 1.0 - low), std::max(0.0, high - 1.0)});
+    };
+    const auto add_ratio = [&](const std::string& cause, const char* kind, double ratio) {
+      add(cause, kind, ratio, ratio);
+    };
+    const double exact = force.converged.midpoint();
+    add_ratio("finite elements", "numerical", exact / force.finite_element);
+    add_ratio("truncation to the modes kept", "numerical", exact / force.truncated.midpoint());
+
+    data::Case at = problem;
+    at.excitation = data::HarmonicExcitation({hz, problem.excitation.amplitude()});
+    const SlipUncertainty inputs = slip_uncertainty(at, uncertainty, {.samples = samples});
+    add("all inputs", "input", inputs.quantiles.front().margin.value / inputs.nominal_margin,
+        inputs.quantiles.back().margin.value / inputs.nominal_margin);
+    for (const auto& one : inputs.tornado) {
+      const auto [low, high] = std::minmax(one.margin_low.value(), one.margin_high.value());
+      add(one.key, "input", low / inputs.nominal_margin, high / inputs.nominal_margin);
+    }
+
+    const AmplitudeLimit& limit = *std::ranges::find(limits.limits, hz, &AmplitudeLimit::frequency_hz);
+    add_ratio("shear and rotary inertia", "model", limit.shear / limit.start_up);
+    add_ratio("axial force of fixed direction", "model", limit.fixed_direction / limit.start_up);
+    add_ratio("contact that yields", "model", limit.compliant / limit.start_up);
+    add_ratio("damping", "model", limit.damped_start_up / limit.start_up);
+  }
+  return budget;
 }
 
 }  // namespace stickslip::studies

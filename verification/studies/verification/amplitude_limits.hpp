@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// The critical amplitude of the base over its frequency by each reading of the criterion and in each model, and how far
-/// the first reading may be trusted between the resonances.
+/// The critical amplitude of the base over its frequency by each reading of the criterion and in each model, how far
+/// the first reading may be trusted between the resonances, and what its uncertainty is made of.
 
 #include <string>
 #include <vector>
 
 #include "stickslip/data/problem.hpp"
+#include "stickslip/data/uncertainty.hpp"
 #include "studies/analyses/criterion_answer.hpp"
 #include "studies/common/members.hpp"
+#include "studies/verification/force_maximum.hpp"
 
 namespace stickslip::studies {
 
@@ -50,5 +52,23 @@ STICKSLIP_MEMBERS(AmplitudeLimits, (limits), (contact_stiffness, "1"), (resonanc
 [[nodiscard]] AmplitudeLimits amplitude_limits(const data::Case& paper, const data::Case& damped,
                                                const std::vector<double>& frequencies_hz,
                                                const std::vector<CriticalAmplitudeSearch>& finite_elements);
+
+/// What one cause does to the critical amplitude of a start-up at one frequency, relative: the most that it takes away,
+/// and the most that it adds.
+struct AmplitudeChange {
+  std::string cause, kind;  ///< kind: "numerical", "input" or "model"
+  double frequency_hz{};
+  double fall{}, rise{};
+};
+STICKSLIP_MEMBERS(AmplitudeChange, (cause, "-"), (kind, "-"), (frequency_hz, "Hz"), (fall, "1"), (rise, "1"))
+
+/// The uncertainty budget at the frequencies of `forces`, which `limits` must have: what finite elements and the truncation to
+/// numerics.modes() do to |f_max|, the inputs from their 5 % to their 95 % quantile, together and one by one (slip_uncertainty()
+/// with so many samples), and each other model.
+[[nodiscard]] std::vector<AmplitudeChange> amplitude_budget(const AmplitudeLimits& limits,
+                                                            const std::vector<ForceMaximumStudy>& forces,
+                                                            const data::Case& problem,
+                                                            const data::Uncertainty& uncertainty,
+                                                            std::size_t samples);
 
 }  // namespace stickslip::studies

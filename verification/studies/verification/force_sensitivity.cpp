@@ -28,8 +28,10 @@ constexpr std::size_t frequency_count = std::size(printed_frequencies);
 double per_cent(double value, double reference) { return 100.0 * (value / reference - 1.0); }
 
 double true_maximum(const data::Beam& beam, const data::HarmonicExcitation& excitation, int modes,
-                    double duration, double width = relative_width) {
-  return analytic::StickResponse(beam, excitation, modes).max_abs_friction_force(duration, width).midpoint();
+                    double duration) {
+  return analytic::StickResponse(beam, excitation, modes)
+      .max_abs_friction_force(duration, relative_width)
+      .midpoint();
 }
 
 // All modes in continuous time. The bounds include the possible contribution of the omitted free vibrations.
@@ -39,18 +41,6 @@ analytic::Bounds problem_bounds(const data::Case& paper, double hz) {
   const analytic::Bounds kept = response.max_abs_friction_force(paper.numerics.duration(), relative_width);
   const double omitted = response.omitted_transient_bound();
   return {kept.lower - omitted, kept.upper + omitted};
-}
-
-// Bound of the difference between f with all modes and f of Eq. (28) with N, at any time.
-double truncation_bound(const data::Case& paper, double hz) {
-  const analytic::StickResponse all(paper.beam, printed_excitation(hz), all_modes,
-                                    analytic::SteadyPart::exact),
-      kept(paper.beam, printed_excitation(hz), paper.numerics.modes());
-  double bound =
-      std::abs(all.steady_force_amplitude() - kept.steady_force_amplitude()) + all.omitted_transient_bound();
-  const auto free = all.transient_force();
-  for (std::size_t n = kept.modes().size(); n < free.size(); ++n) bound += std::abs(free[n].amplitude);
-  return bound;
 }
 
 // A row of the study and the function that computes its force at one excitation.
@@ -154,69 +144,6 @@ class RowPlans {
   std::vector<RowPlan> plans_;
 };
 
-// A given quantity: its printed value at a frequency, and |f_max| for another value of it.
-struct Input {
-  std::string name;
-  std::function<data::PrintedNumber(double hz)> printed;
-  std::function<double(double hz, double value, double relative_width)> force;
-};
-
-std::vector<Input> inputs(const data::Case& paper) {
-  const int modes = paper.numerics.modes();
-  const double duration = paper.numerics.duration();
-  const data::Beam beam = paper.beam;
-  std::vector<Input> list;
-  const auto add = [&](const char* name, const char* id, double data::BeamProperties::*field) {
-    list.push_back({name, [id](double) { return data::printed_number(id); },
-                    [=](double hz, double value, double width) {
-                      return true_maximum(with(beam, field, value), printed_excitation(hz), modes, duration,
-                                          width);
-                    }});
-  };
-  add("E", "parameter.youngs_modulus", &data::BeamProperties::youngs_modulus);
-  add("rho", "parameter.density", &data::BeamProperties::density);
-  add("P", "parameter.axial_force", &data::BeamProperties::axial_force);
-  add("L", "parameter.length", &data::BeamProperties::length);
-  list.push_back({"Omega",
-                  [](double hz) {
-                    return data::printed_number(fmt::format("excitation.frequency.{}", std::lround(hz)));
-                  },
-                  [=](double, double value, double width) {
-                    return true_maximum(beam, printed_excitation(value), modes, duration, width);
-                  }});
-  return list;
-}
-
-std::vector<InputSensitivity> input_sensitivities(const data::Case& paper, const ForceRow& baseline) {
-  // Central differences. The accuracy relative_width of the maxima causes an error of about 1e-5 in the
-  // slope. The error from the third derivative is smaller: the phase change ω_N T change of the highest
-  // mode is 1e-3.
-  constexpr double change = 1e-8;
-  constexpr double range = 1e-3;
-  constexpr int values_each_side = 20;
-  const std::vector<Input> list = inputs(paper);
-  const std::vector<double> empty(frequency_count);
-  std::vector<InputSensitivity> sensitivities;
-  for (const Input& input : list) sensitivities.push_back({input.name, empty, empty, empty});
-  in_parallel(list.size() * frequency_count, [&](std::size_t index) {
-    const Input& input = list[index / frequency_count];
-    InputSensitivity& sensitivity = sensitivities[index / frequency_count];
-    const std::size_t i = index % frequency_count;
-    const double hz = printed_frequencies[i], force = baseline.force[i];
-    const data::PrintedNumber given = input.printed(hz);
-    const auto at = [&](double value) { return input.force(hz, value, relative_width); };
-    sensitivity.relative[i] =
-        (at(given.value * (1.0 + change)) - at(given.value * (1.0 - change))) / (2.0 * change * force);
-    for (int k = -values_each_side; k <= values_each_side; ++k) {
-      const double other =
-          per_cent(input.force(hz, given.value * (1.0 + range * k / values_each_side), 1e-7), force);
-      sensitivity.lowest_change[i] = std::min(sensitivity.lowest_change[i], other);
-      sensitivity.highest_change[i] = std::max(sensitivity.highest_change[i], other);
-    }
-  });
-  return sensitivities;
-}
-
 ForceRange force_range(const analytic::Bounds& force, const data::PrintedNumber& printed) {
   return {
       force, common_digits(force),
@@ -229,8 +156,7 @@ std::vector<ForceDigits> force_digits(const data::Case& paper) {
     const data::PrintedNumber printed = printed_force(hz);
     const SampledForces sampled = sampled_forces(paper, hz);
     digits.push_back({hz, printed.value, printed.half_digit, force_range(sampled.range, printed),
-                      sampled.printed_step, force_range(problem_bounds(paper, hz), printed),
-                      truncation_bound(paper, hz)});
+                      sampled.printed_step, force_range(problem_bounds(paper, hz), printed)});
   }
   return digits;
 }
@@ -311,7 +237,6 @@ ForceSensitivity force_sensitivity(const data::Case& paper) {
   ForceSensitivity study;
   study.frequency_hz.assign(std::begin(printed_frequencies), std::end(printed_frequencies));
   study.rows = RowPlans(paper).evaluated();
-  study.inputs = input_sensitivities(paper, study.rows.front());
   study.digits = force_digits(paper);
   study.search = sampling_search(paper);
   return study;

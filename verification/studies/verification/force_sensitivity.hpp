@@ -2,8 +2,7 @@
 #pragma once
 
 /// Why the computed |f_max| of Sect. 5 agree with the printed values to three digits and not to five: the
-/// effect of each choice of the method, the effect of each given quantity, and the number of digits that the
-/// problem determines.
+/// effect of each choice of the method, and the number of digits that the problem determines.
 
 #include <optional>
 #include <string>
@@ -28,22 +27,6 @@ struct ForceRow {
 };
 STICKSLIP_MEMBERS(ForceRow, (factor, "-"), (setting, "-"), (closed_form, "1"), (force, "N"), (change, "%"))
 
-/// The effect of one given quantity on |f_max|. Young's modulus also represents I, and the density also
-/// represents A, because only E I and ρ A enter.
-///
-/// The derivative is a local one: a relative change of 1/(ω_N T) = 1e-5 changes the phase of the highest
-/// mode by one radian after T = 10 s, and another peak of |f| may become the highest. `lowest_change` and
-/// `highest_change` show the effect of larger changes. Dimensional analysis predicts for the derivatives s of
-/// E, ρ, P and L: s_E + s_rho + s_P = 1 and s_L = -3 + 2 s_P + 4 s_rho.
-struct InputSensitivity {
-  std::string input;             ///< "E", "rho", "P", "L", "Omega"
-  std::vector<double> relative;  ///< d ln |f_max| / d ln input, one per frequency
-  /// Change of |f_max| for changes of the input within 0.1 %: lowest and highest of 41 values, %.
-  std::vector<double> lowest_change, highest_change;
-};
-STICKSLIP_MEMBERS(InputSensitivity, (input, "-"), (relative, "1"), (lowest_change, "%"),
-                  (highest_change, "%"))
-
 /// A range of |f_max|, compared with the printed value.
 struct ForceRange {
   analytic::Bounds force;  ///< N
@@ -60,12 +43,9 @@ struct ForceDigits {
   ForceRange formula;                  ///< Eq. (28) with N = 10, over the samplings of sampled_forces()
   std::optional<double> printed_step;  ///< s, of sampled_forces()
   ForceRange problem;                  ///< all modes, continuous time; bounds, with an extrapolated tail
-  /// Of the unchanged Eq. (28) with N modes, N: the difference of the steady parts, and the amplitudes of all
-  /// free vibrations n > N. `problem` is within it of that force.
-  double uncertainty{};
 };
 STICKSLIP_MEMBERS(ForceDigits, (frequency_hz, "Hz"), (printed, "N"), (half_digit, "N"), (formula),
-                  (printed_step, "s"), (problem), (uncertainty, "N"))
+                  (printed_step, "s"), (problem))
 
 /// One way of sampling Eq. (28).
 struct SamplingTrial {
@@ -96,11 +76,10 @@ STICKSLIP_MEMBERS(SamplingSearch, (most_modes, "1"), (sampling_steps, "s"), (ret
 struct ForceSensitivity {
   std::vector<double> frequency_hz;
   std::vector<ForceRow> rows;
-  std::vector<InputSensitivity> inputs;
   std::vector<ForceDigits> digits;
   SamplingSearch search;
 };
-STICKSLIP_MEMBERS(ForceSensitivity, (frequency_hz, "Hz"), (rows), (inputs), (digits), (search))
+STICKSLIP_MEMBERS(ForceSensitivity, (frequency_hz, "Hz"), (rows), (digits), (search))
 
 /// Runs the study for the case of data/cases/paper.toml. Uses thread_count() threads; the result does not
 /// depend on their number.

@@ -13,6 +13,7 @@
 #include "studies/analyses/problem_warnings.hpp"
 #include "studies/common/parallel.hpp"
 #include "studies/common/problem_parameter.hpp"
+#include "studies/verification/force_maximum.hpp"
 
 namespace stickslip::studies {
 
@@ -109,13 +110,18 @@ LateSlips late_slips(const std::vector<double>& time, const std::vector<double>&
 DimensionlessCase dimensionless(const data::Case& problem) {
   const data::Beam& beam = problem.beam;
   const double omega = angular_frequency(problem.excitation), natural = two_pi * stick_hz(beam, 1);
+  const ForceMaximumStudy force = force_maximum_study(
+      beam, data::HarmonicExcitation({problem.excitation.frequency_hz(), 1e-3}), problem.numerics);
   return {.name = problem.name,
           .load = beam.axial_force() / analytic::stick_buckling_load(beam),
           .slenderness = beam.length() * std::sqrt(beam.area() / beam.second_moment_of_area()),
           .frequency = omega / natural,
           .friction = problem.friction.static_coefficient(),
           .decay = problem.friction.decay() * problem.excitation.amplitude() * omega,
-          .damping = problem.damping.ratio() + 0.5 * problem.damping.kelvin_voigt() * natural};
+          .damping = problem.damping.ratio() + 0.5 * problem.damping.kelvin_voigt() * natural,
+          .force_error = force.discretisation_difference(),
+          .unpredicted =
+              std::abs(force.finite_element - force.predicted_finite_element) / force.prediction_uncertainty};
 }
 
 Scope scope(const data::Case& paper, const data::Case& damped, const ConvergedHistory& converged,

@@ -66,7 +66,8 @@ struct LateSlips {
 STICKSLIP_MEMBERS(LateSlips, (range, "m"), (settled, "s"), (later_range, "m"))
 inline constexpr double settled_share = 0.05;
 
-/// A case in dimensionless groups.
+/// A case in dimensionless groups, and the evidence for its beam: |f_max| of finite elements over numerics.duration(), held tip,
+/// no damping.
 struct DimensionlessCase {
   std::string name;
   double load{};         ///< P over the buckling load of the stick state
@@ -75,9 +76,11 @@ struct DimensionlessCase {
   double friction{};     ///< μ_s
   double decay{};        ///< α A_0 Ω
   double damping{};      ///< of stick mode 1, as a fraction of critical: ratio + η ω_1/2
+  double force_error{};  ///< relative, of |f_max| from all modes
+  double unpredicted{};  ///< error of the prediction of |f_max| (PredictedForce) over its uncertainty
 };
 STICKSLIP_MEMBERS(DimensionlessCase, (name, "-"), (load, "1"), (slenderness, "1"), (frequency, "1"),
-                  (friction, "1"), (decay, "1"), (damping, "1"))
+                  (friction, "1"), (decay, "1"), (damping, "1"), (force_error, "1"), (unpredicted, "1"))
 [[nodiscard]] DimensionlessCase dimensionless(const data::Case& problem);
 
 /// The complete study.

@@ -249,6 +249,44 @@ TEST(AmplitudeLimits, AreThoseOfTheCommandAndItsSteadyAndShearedBeams) {
   EXPECT_NEAR(study.spread, std::abs(low - high) / std::sqrt(2.0), 1e-9);
 }
 
+STICKSLIP_VERIFIES(AmplitudeBudget, "X22");
+TEST(AmplitudeBudget, HasTheChangeByEachCauseAndThatOfTheCoefficientInProportion) {
+  studies::AmplitudeLimits limits;
+  limits.limits = {{.frequency_hz = 35.0,
+                    .start_up = 4.0,
+                    .damped_start_up = 7.0,
+                    .shear = 2.0,
+                    .fixed_direction = 5.0,
+                    .compliant = 4.0}};
+  studies::ForceMaximumStudy force;
+  force.frequency_hz = 35.0;
+  force.converged = {2.0, 2.0};
+  force.truncated = {1.6, 1.6};
+  force.finite_element = 2.5;
+  const auto file = data::find_case("uncertain");
+  const auto budget =
+      studies::amplitude_budget(limits, {force}, data::read_case(file), data::read_uncertainty(file), 200);
+  const auto expect_change = [&](const std::string& cause, double fall, double rise) {
+    const auto found = std::ranges::find(budget, cause, &studies::AmplitudeChange::cause);
+    ASSERT_NE(found, budget.end()) << cause;
+    EXPECT_NEAR(found->fall, fall, 1e-6) << cause;
+    EXPECT_NEAR(found->rise, rise, 1e-6) << cause;
+  };
+  EXPECT_EQ(budget.size(), 11u);
+  expect_change("finite elements", 0.2, 0.0);
+  expect_change("truncation to the modes kept", 0.0, 0.25);
+  expect_change("shear and rotary inertia", 0.5, 0.0);
+  expect_change("axial force of fixed direction", 0.0, 0.25);
+  expect_change("contact that yields", 0.0, 0.0);
+  expect_change("damping", 0.0, 0.75);
+  // The 5 % quantile of a normal distribution is 1.644854 standard deviations below the mean.
+  const double spread = 1.644853627 * 0.05 / 0.6;
+  expect_change("friction.static_coefficient", spread, spread);
+  // Together the inputs do at least as much as that, but for the scatter of a quantile of 200 samples.
+  EXPECT_GT(budget[2].fall, 0.7 * spread);
+  EXPECT_GT(budget[2].rise, 0.7 * spread);
+}
+
 STICKSLIP_VERIFIES(DimensionlessCase, "U5");
 TEST(DimensionlessCase, OfThePaperHasItsGroups) {
   const auto groups = studies::dimensionless(data::load_case("damped"));
@@ -258,6 +296,14 @@ TEST(DimensionlessCase, OfThePaperHasItsGroups) {
   EXPECT_NEAR(groups.frequency, 25.0 / 24.97196, 1e-6);
   EXPECT_NEAR(groups.decay, 1e-3 * 50.0 * std::numbers::pi, 1e-12);
   EXPECT_NEAR(groups.damping, 0.005, 3e-5);
+  const data::Case strip = data::load_case("steel-strip");
+  const double exact = analytic::StickResponse(strip.beam, strip.excitation, 100, analytic::SteadyPart::exact)
+                           .max_abs_friction_force(10.0)
+                           .midpoint();
+  const double error =
+      solver::max_abs_friction_force(strip.beam, strip.excitation, strip.numerics) / exact - 1.0;
+  EXPECT_NEAR(studies::dimensionless(strip).force_error, std::abs(error), 1e-8);
+  EXPECT_LE(studies::dimensionless(strip).unpredicted, 1.0);
 }
 
 }  // namespace
