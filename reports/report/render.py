@@ -9,7 +9,7 @@ Templates are written in Jinja2: << value | filter >>, <% statement %> and <# co
 program wrote to VALUES/<name>.json; to this come the tables of the paper in DATA/paper and what the
 mutation runs left in verification/mutants. A template says how many
 digits a number has and computes nothing: the filters fixed, sig, sci, compact and plain, and bound for what others stay within;
-percent, milli, micro and nano change the unit. A value that is missing, and a number without a filter, is an error that names it.
+percent, milli and micro change the unit. A value that is missing, and a number without a filter, is an error that names it.
 
 Exit status: 2 for test results that cannot be used, 1 for any other error.
 """
@@ -112,15 +112,6 @@ def order(estimate):
     return f"${text}\\pm{math.ceil(1000.0 * half_width) / 1000.0:.3f}$" if math.isfinite(half_width) else text
 
 
-def signed(value):
-    """
-    >>> signed(1.5), signed(-0.006), signed(-0.004)
-    ('$+1.50$', '$-0.01$', '0.00')
-    """
-    text = f"{abs(value):.2f}"
-    return f"${'+' if value > 0 else '-'}{text}$" if text.strip("0.") else text
-
-
 # ---- Words
 
 RESERVED = {"\\": r"\textbackslash{}", "^": r"\textasciicircum{}", "~": r"\textasciitilde{}"}
@@ -186,16 +177,6 @@ def typeset(text):
     return TOKEN.sub(lambda match: NOTATION[match.lastgroup](match[match.lastgroup]), text)
 
 
-def powers(text):
-    """Powers of ten in plain notation.
-
-    >>> powers("1e-05 s, -8.5e-16 and 3e+04; 0e+00 N, 2e9e")
-    '1 x 10^-5 s, -8.5 x 10^-16 and 3 x 10^4; 0 N, 2e9e'
-    """
-    return re.sub(r"(?<![A-Za-z0-9.])([0-9.]+)e([+-]?[0-9]+)(?![A-Za-z0-9])",
-                  lambda match: "0" if match[1] == "0" else f"{match[1]} x 10^{int(match[2])}", text)
-
-
 # ---- Tests
 
 
@@ -204,15 +185,13 @@ def numbers(names, fields):
 
 
 def read_test(case, identity):
-    """A test as its XML tells of it: what it serves, its comparison with the largest margin, those with a name, and
-    for each class of tolerances the one that came closest. Its identity is its name for ctest."""
+    """A test as its XML tells of it: what it serves, its comparison with the largest margin, and for each class of
+    tolerances the one that came closest. Its identity is its name for ctest."""
     properties = {item.get("name"): item.get("value") for item in case.iterfind("properties/property")}
     suite = case.get("classname").rpartition("/")[2]
     skipped = case.find("skipped") is not None
-    name = f"{suite}.{case.get('name')}"
     test = {"id": identity, "file": case.get("file"), "line": case.get("line"), "suite": suite, "name": case.get("name"),
-            "full_name": name, "named": [], "tolerances": [],
-            "bad_input": [], "accepted_input": {}, "skipped": skipped, "worst": None,
+            "tolerances": [], "bad_input": [], "accepted_input": {}, "skipped": skipped, "worst": None,
             "passed": case.get("status") == "run" and not skipped and case.find("failure") is None,
             "position": int(properties.get("requirement_position", 0)),
             "comparisons": int(properties.get("comparisons", 0))}
@@ -222,9 +201,6 @@ def read_test(case, identity):
         test["worst"] = numbers(compared, (properties[key] for key in compared)) | {"class": properties["class"]}
     for key, value in sorted(properties.items()):
         group, _, what = key.partition(".")
-        if group == "compared":
-            *fields, _, _ = value.split("; ", 6)
-            test["named"].append(numbers(compared, fields) | {"name": what, "full_name": name})
         if group == "bad_input":
             place, _, defect = what.partition(".")
             refused, accepted = map(int, value.split("; "))
@@ -371,47 +347,35 @@ def argued(quantity, results, requirements):
 SECONDS = {"ns": 1e-9, "us": 1e-6, "ms": 1e-3, "s": 1.0}
 
 
-def fastest_runs(run):
-    """Of what Google Benchmark wrote, the counters and the seconds of the shortest repetition of each benchmark."""
-    fastest = {}
+def shortest_times(run):
+    """Of what Google Benchmark wrote, the seconds of the shortest repetition of each benchmark."""
+    times = {}
     for timed in run["benchmarks"]:
-        if timed["run_type"] != "iteration" or timed.get("error_occurred"):
-            continue
-        timed["seconds"] = timed["real_time"] * SECONDS[timed["time_unit"]]
-        name = timed["run_name"]
-        fastest[name] = min(timed, fastest.get(name, timed), key=lambda repetition: repetition["seconds"])
-    return fastest
+        if timed["run_type"] == "iteration" and not timed.get("error_occurred"):
+            seconds = timed["real_time"] * SECONDS[timed["time_unit"]]
+            times[timed["run_name"]] = min(seconds, times.get(timed["run_name"], math.inf))
+    return times
 
 
 def speed_of(run, comparisons):
     """The times of the plain and the fast methods in one run of the benchmarks.
 
-    >>> def timed(name, time, unit="ms", **counters):
-    ...     return {"run_type": "iteration", "run_name": name, "real_time": time, "time_unit": unit} | counters
+    >>> def timed(name, time, unit="ms"):
+    ...     return {"run_type": "iteration", "run_name": name, "real_time": time, "time_unit": unit}
     >>> run = {"context": {"processor": "P"}, "benchmarks": [
-    ...     timed("plain", 30.0), timed("plain", 20.0), timed("fast", 4.0, steps=10, flops_per_step=2, bytes_per_step=4),
-    ...     timed("peak/flops", 2.0, flops=40), timed("peak/cache", 1.0, bytes=100),
+    ...     timed("plain", 30.0), timed("plain", 20.0), timed("fast", 4.0),
     ...     timed("elements/20", 100.0, "us"), timed("elements/100", 1.0)]}
     >>> speed = speed_of(run, [{"work": "w", "plain": "p", "plain_benchmark": "plain", "fast": "f", "fast_benchmark": "fast", "repetitions": 2}])
-    >>> speed["comparisons"][0]["ratio"], speed["comparisons"][0]["load"]["share_of_flops"], speed["scale"][1]["relative"]
-    (10.0, 0.25, 2.0)
+    >>> speed["comparisons"][0]["ratio"], speed["scale"][0]["seconds_per_element"]
+    (10.0, 5e-08)
     """
-    fastest = fastest_runs(run)
-    rate_of = lambda timed, unit, count=1: timed[unit] * count / timed["seconds"]
-    lines = []
+    times, lines = shortest_times(run), []
     for line in comparisons:
-        plain, fast = (fastest[line[f"{way}_benchmark"]] for way in ("plain", "fast"))
-        load = {}
-        for unit, peak in (("flops", "peak/flops"), ("bytes", "peak/cache")) if "steps" in fast else ():
-            load[f"{unit}_per_step"] = float(fast[f"{unit}_per_step"])
-            load[f"share_of_{unit}"] = rate_of(fast, f"{unit}_per_step", fast["steps"]) / rate_of(fastest[peak], unit)
-        lines.append(line | {"fast_seconds": fast["seconds"], "load": load,
-                             "ratio": line.get("repetitions", 1) * plain["seconds"] / fast["seconds"]})
+        plain, fast = (times[line[f"{way}_benchmark"]] for way in ("plain", "fast"))
+        lines.append(line | {"fast_seconds": fast, "ratio": line.get("repetitions", 1) * plain / fast})
     # An iteration of "elements/N" is a hundred steps of N elements.
-    per_element = {int(name.partition("/")[2]): timed["seconds"] for name, timed in fastest.items() if name.startswith("elements/")}
+    per_element = {int(name.partition("/")[2]): seconds for name, seconds in times.items() if name.startswith("elements/")}
     scale = [{"elements": count, "seconds_per_element": seconds / (100 * count)} for count, seconds in per_element.items()]
-    for line in scale:
-        line["relative"] = line["seconds_per_element"] / scale[0]["seconds_per_element"]
     return {"processor": run["context"]["processor"], "comparisons": lines, "scale": scale}
 
 
@@ -438,8 +402,7 @@ def read_values(templates, data, values):
                               tomllib.loads((benchmarks / "comparisons.toml").read_text())["comparison"])
     known["requirements"] = list(requirements_of(known["tests"]))
     known["bad_input"] = bad_input_of(known["tests"])
-    known["named"], known["tolerances"] = ([entry for test in known["tests"] for entry in test[key]]
-                                           for key in ("named", "tolerances"))
+    known["tolerances"] = [entry for test in known["tests"] for entry in test["tolerances"]]
     accepted = tomllib.loads((templates.parent.parent / "verification" / "acceptance.toml").read_text())
     expressions = environment_for([])
     known["acceptance"], known["on_the_paper"], quantities = (
@@ -459,14 +422,14 @@ def shown(value):
     return value
 
 
-FILTERS = (fixed, sig, sci, plain, compact, bound, order, signed, escape, breakable, typeset, powers, distance_from, error_ratio, largest)
+FILTERS = (fixed, sig, sci, plain, compact, bound, order, escape, breakable, typeset, distance_from, error_ratio, largest)
 
 
 def environment_for(templates):
     """
-    >>> units = "<< 1 | percent | plain >>, << 1 | milli | plain >>, << 1 | micro | plain >>, << 2 | nano | sci(1) >>"
+    >>> units = "<< 1 | percent | plain >>, << 1 | milli | plain >>, << 1 | micro | plain >>"
     >>> environment_for([]).from_string(units).render()
-    '100, 1000, 1000000, \\\\ensuremath{2\\\\times10^{9}}'
+    '100, 1000, 1000000'
     """
     environment = jinja2.Environment(
         loader=jinja2.FileSystemLoader(templates), undefined=jinja2.StrictUndefined, finalize=shown,
@@ -475,7 +438,7 @@ def environment_for(templates):
         keep_trailing_newline=True)
     environment.filters |= {function.__name__: function for function in FILTERS}
     environment.filters |= {"log10": math.log10, "percent": lambda value: 100.0 * value, "milli": lambda value: value / 1e-3,
-                            "micro": lambda value: value / 1e-6, "nano": lambda value: value / 1e-9}
+                            "micro": lambda value: value / 1e-6}
     return environment
 
 

@@ -27,8 +27,8 @@ TEST(Traceability, TestWithoutAKnownRequirementFails) {
   EXPECT_NONFATAL_FAILURE(record_requirement("Z9"), "has no requirement Z9");
 }
 
-ComparedNumber compared(double computed, double error, double tolerance, const std::string& name = "") {
-  return {name, computed, computed - error, error, tolerance, "reference", "a datum"};
+ComparedNumber compared(double computed, double error, double tolerance) {
+  return {"", computed, computed - error, error, tolerance, "reference", "a datum"};
 }
 
 STICKSLIP_VERIFIES(Trace, "U6");
@@ -45,13 +45,6 @@ TEST(Trace, TellsOfTheComparisonWithTheLargestMargin) {
   EXPECT_EQ(properties.at("tolerance"), "0.5");
   EXPECT_EQ(properties.at("margin"), "0.5");
   EXPECT_EQ(properties.at("class"), "reference");
-}
-
-TEST(Trace, KeepsEachNamedComparison) {
-  Trace trace;
-  trace.note(compared(3.0, 0.125, 0.5, "a number"));
-  trace.note(compared(2.5, 0.25, 0.5));
-  EXPECT_EQ(trace.properties(true).at("compared.a number"), "3; 2.875; 0.125; 0.5; 0.25; reference; a datum");
 }
 
 TEST(Trace, KeepsTheLedgerOfEachClassOfTolerances) {

@@ -35,10 +35,6 @@ std::map<std::string, std::string> Trace::properties(bool test_passed) const {
     properties["tolerances." + comparison.tolerance_class] =
         fmt::format("{}; {}; {}; {}; {}", ++of_class[comparison.tolerance_class], comparison.error,
                     comparison.tolerance, margin, comparison.derivation);
-    if (!comparison.name.empty())
-      properties["compared." + comparison.name] = fmt::format(
-          "{}; {}; {}; {}; {}; {}; {}", comparison.computed, comparison.expected, comparison.error,
-          comparison.tolerance, margin, comparison.tolerance_class, comparison.derivation);
   }
   properties["comparisons"] = std::to_string(comparisons);
   return properties;
