@@ -17,6 +17,7 @@ Exit status: 2 for test results that cannot be used, 1 for any other error.
 import collections
 import csv
 import decimal
+import hashlib
 import json
 import math
 import re
@@ -194,7 +195,7 @@ def read_test(case, identity):
             "tolerances": [], "bad_input": [], "accepted_input": {}, "skipped": skipped, "worst": None,
             "passed": case.get("status") == "run" and not skipped and case.find("failure") is None,
             "position": int(properties.get("requirement_position", 0)),
-            "comparisons": int(properties.get("comparisons", 0))}
+            "comparisons": int(properties.get("comparisons", 0)), "seconds": float(case.get("time", 0))}
     test |= {key: properties.get(key, "") for key in ("requirement", "requirement_text", "source", "claim", "finding")}
     compared = ("computed", "expected", "error", "tolerance", "margin")
     if test["comparisons"]:
@@ -389,6 +390,7 @@ class InputError(Exception):
 def read_values(templates, data, values):
     """What the templates can name."""
     known = {file.stem: json.loads(file.read_text()) for file in values.glob("*.json")}
+    known["studies"] = set(known)
     for file in ("claims", "errata", "printed-numbers"):
         known |= tomllib.loads((data / "paper" / f"{file}.toml").read_text())
     known["printed"] = {number["id"]: number for number in known["number"]}
@@ -396,10 +398,14 @@ def read_values(templates, data, values):
     mutants = templates.parent.parent / "verification" / "mutants"
     known["mutants"] = list(csv.DictReader((mutants / "summary.csv").read_text().splitlines()))
     known |= tomllib.loads((mutants / "survivors.toml").read_text())
+    known["history"] = list(csv.DictReader((mutants.parent / "history.csv").read_text().splitlines()))
     known["scoreboard"] = list(csv.DictReader((mutants.parent / "peers" / "scoreboard.csv").read_text().splitlines()))
     benchmarks = mutants.parent / "benchmarks"
     known["speed"] = speed_of(json.loads((benchmarks / "results" / "speed.json").read_text()),
                               tomllib.loads((benchmarks / "comparisons.toml").read_text())["comparison"])
+    processors = re.findall(r"^model name.*: (.*)", Path("/proc/cpuinfo").read_text(), re.MULTILINE)
+    known["provenance"] = [("Processor", f"{len(processors)} x {processors[0]}" if processors else "unknown"),
+                           ("Data", f"SHA-256 {digest_of(data)} of the folder data")]
     known["requirements"] = list(requirements_of(known["tests"]))
     known["bad_input"] = bad_input_of(known["tests"])
     known["tolerances"] = [entry for test in known["tests"] for entry in test["tolerances"]]
@@ -413,6 +419,14 @@ def read_values(templates, data, values):
     known["guide"] = [step | {"resource": sets[step["set"]]} for step in accepted["guide"]]
     known["indexed"] = lambda kind, count: paper_index(kind, count, known["tests"], known["claim"])
     return known | {"zip": zip}
+
+
+def digest_of(folder):
+    """SHA-256 of the names and bytes of all files in a folder."""
+    digest = hashlib.sha256()
+    for file in sorted(file for file in folder.rglob("*") if file.is_file()):
+        digest.update(f"{file.relative_to(folder)}\0".encode() + file.read_bytes())
+    return digest.hexdigest()
 
 
 def shown(value):

@@ -3,15 +3,19 @@
 """Makes the evidence site: the ledgers behind the report as static HTML pages that need no network.
 
   site.py TEMPLATES DATA VALUES FIGURES OUTPUT
+  site.py record VALUES                          adds the run behind VALUES to verification/history.csv
 
 TEMPLATES is the folder of the report's templates, DATA that of the data, VALUES what the studies returned and
 FIGURES the folder with their CSV and PNG files, which lies beside OUTPUT. Each page is a table. The sources of the tests are
 pages as well, so that each test links to its line.
 """
 
+import csv
 import functools
+import json
 import re
 import shutil
+import subprocess
 import sys
 from collections import namedtuple
 from pathlib import Path
@@ -28,7 +32,8 @@ Code = namedtuple("Code", "text")
 Image = namedtuple("Image", "href alt")
 Verdict = namedtuple("Verdict", "text good")  # shown with a sign and a colour
 Row = namedtuple("Row", "id cells")
-Page = namedtuple("Page", "name title intro columns rows")
+Chart = namedtuple("Chart", "title points last")  # points of a line in a box of 200 by 60, and its last value
+Page = namedtuple("Page", "name title intro columns rows charts", defaults=[()])
 
 
 def number(value, digits=6):
@@ -75,16 +80,19 @@ def site_of(**known):
 
 
 def drawings_of(templates, known):
-    """Number, name, alternative text and caption of each drawing, in the order of the report."""
+    """Number, name, section, alternative text and caption of each drawing, in the order of the report."""
     if not templates.is_dir():
         return []
     environment, drawings = environment_for(templates), []
     environment.globals |= known
     parts = re.findall(r"\\input{(.*?)}", (templates / "vv-report.tex").read_text())
     text = "".join(environment.get_template(f"{part}.tex").render() for part in parts)
-    for number, figure in enumerate(re.findall(r"\\begin{figure}(.*?)\\end{figure}", text, re.DOTALL), 1):
+    number, section = 0, ""
+    for label, figure in re.findall(r"\\label{(sec:.*?)}|\\begin{figure}(.*?)\\end{figure}", text, re.DOTALL):
+        section = label or section
+        number += not label
         caption = unlatexed(re.sub(r"\\label{.*?}|\\end.*", "", figure.partition("\\caption{")[2]))
-        drawings += [(number, name, " ".join(alt.split()), caption)
+        drawings += [(number, name, section, " ".join(alt.split()), caption)
                      for name, alt in re.findall(r"\\drawing(?:\[.*?\])?{([a-z0-9-]+)}\s*{([^}]*)}", figure)]
     return drawings
 
@@ -288,7 +296,7 @@ class Site:
 
     def figures_page(self):
         rows = []
-        for order, name, alt, caption in self.drawings:
+        for order, name, _, alt, caption in self.drawings:
             tables = [file for file in sorted(self.figures.glob(f"{name}*.csv")) if file.stem == name or file.stem.startswith(f"{name}-")]
             rows.append(Row(name, [number(order), Image(f"../{name}.png", alt), caption, [Link(file.name, f"../{file.name}") for file in tables],
                                    Code(f"stickslip report --only {name} --output figures")]))
@@ -328,22 +336,34 @@ class Site:
 
     def verdicts(self):
         """
-        >>> one = {"what": "a", "metric": "b", "value": 0.125, "most": 0.5, "basis": "c", "remark": "d", "requirement": "V1"}
-        >>> page = site_of(acceptance=[one | {"passed": True}], on_the_paper=[one | {"passed": False, "least": 0.25}]).verdicts()
-        >>> [[getattr(cell, "text", cell) for cell in row.cells[:1] + row.cells[4:9]] for row in page.rows]
+        >>> one = {"what": "a", "metric": "b", "value": 0.125, "most": 0.5, "basis": "c", "remark": "d", "requirement": "V1", "section": "sec:e",
+        ...        "value_of": "e.f | max"}
+        >>> site = site_of(acceptance=[one | {"passed": True}], on_the_paper=[one | {"passed": False, "least": 0.25}], studies={"e"}, requirements=[])
+        >>> site.drawings = [(1, "g", "sec:e", "", ""), (2, "h", "sec:i", "", "")]
+        >>> [[getattr(cell, "text", cell) for cell in row.cells[:1] + row.cells[4:9]] for row in site.verdicts().rows]
         [['paper', '0.125', 'at most 0.5', 'yes', 'c', ''], ['paper', '0.125', '0.25 to 0.5', 'no', 'c', 'd']]
+        >>> [cell[0] for cell in site.verdicts().rows[0].cells[10:]]
+        [Link(text='Fig. 1', href='figures.html#g'), Link(text='e', href='../studies/e.json'), Code(text='stickslip report --only g')]
         """
         rows = []
+        served = {item["name"]: len(item["tests"]) for item in self.known["requirements"]}
         for index, result in enumerate(self.known["acceptance"] + self.known["on_the_paper"]):
             criterion = f"{result['least']:g} to {result['most']:g}" if "least" in result else f"at most {result['most']:g}"
             requirement = result["requirement"]
+            figures = [(number, name) for number, name, section, *_ in self.drawings if section == result["section"]]
+            studies = sorted(set(re.findall(r"[a-z_]+", result["value_of"])) & self.known["studies"])
             rows.append(Row(f"{index}", [
                 result.get("quantity", "paper"), Link(requirement, f"requirements.html#{requirement}"), result["what"], result["metric"],
                 number(result["value"], 3), criterion, decided(result["passed"]), result["basis"],
-                "" if result["passed"] else result.get("remark", ""), Link("tests", f"tests.html?q={requirement}&column=Requirement")]))
+                "" if result["passed"] else result.get("remark", ""),
+                Link(str(served.get(requirement, 0)), f"tests.html?q={requirement}&column=Requirement"),
+                [Link(f"Fig. {number}", f"figures.html#{name}") for number, name in figures],
+                [Link(study.replace("_", " "), f"../studies/{study}.json") for study in studies],
+                [Code(f"stickslip report --only {name}") for _, name in figures] or [Code("./reports/generate")]]))
         return Page("verdicts", "Criteria", [
-            "Each result with its requirement, value and criterion. Those of the quantity 'paper' judge the paper, not the program."],
-            ["Quantity", "Requirement", "Result", "Metric", "Value", "Criterion", "Met", "Basis", "Why not", "Tests"], rows)
+            "Each result with its requirement, value and criterion, the tests of the requirement, the figures of its section, the data that its value "
+            "is computed from, and the commands that make them again. Those of the quantity 'paper' judge the paper, not the program."],
+            ["Quantity", "Requirement", "Result", "Metric", "Value", "Criterion", "Met", "Basis", "Why not", "Tests", "Figures", "Data", "Command"], rows)
 
     def sensitivity(self):
         study = self.known["force_sensitivity"]
@@ -364,14 +384,49 @@ class Site:
             f"Fast ways against plain ones that return the same numbers, a record of one run on {speed['processor']}.",
             f"The plain stick run takes, for a step and element: {scale}."], ["Work", "Plain way", "Fast way", "Fast way, ms", "Plain over fast"], rows)
 
+    def history(self):
+        """
+        >>> page = site_of(history=[{"commit": "a", "date": "b", "lines": "4"}, {"commit": "c", "date": "d", "lines": "8"}]).history()
+        >>> page.charts, page.rows[1].cells
+        ([Chart(title='lines', points='0,30 200,0 200,0', last='8')], ['c', 'd', Number(text='8', value=8.0)])
+        """
+        runs, charts = self.known["history"], []
+        columns = list(runs[0])
+        for column in columns[2:]:
+            values = [(200 * index / (len(runs) - 1), float(run[column])) for index, run in enumerate(runs) if run[column]]
+            most = max((value for _, value in values), default=0) or 1
+            charts += [Chart(column.replace("_", " "), " ".join(f"{x:.4g},{60 - 60 * value / most:.4g}" for x, value in values + values[-1:]),
+                             f"{values[-1][1]:g}")] if values else []
+        rows = [Row(f"{index}", [run["commit"], run["date"], *(number(float(run[column])) if run[column] else "" for column in columns[2:])])
+                for index, run in enumerate(runs)]
+        return Page("history", "History", [
+            "What was recorded at some commits. Each line begins at 0; its number is the last one. Empty: not recorded.",
+            "The time is that of all tests one after the other, in seconds. A survivor is a mutant that no test noticed.",
+            "Command: /usr/bin/python3 reports/site/site.py record build/reports/studies"],
+            [column.replace("_", " ").capitalize() for column in columns], rows, charts)
+
     def pages(self):
         return [self.verdicts(), self.requirements(), self.tests(), self.tolerances(), self.claims(), self.errata(), self.numbers(), self.paper(),
-                self.sensitivity(), self.figures_page(), self.data_sets(), self.scoreboard(), self.wrong_models(), self.mutants(), self.bad_input(), self.speed()]
+                self.sensitivity(), self.figures_page(), self.data_sets(), self.scoreboard(), self.wrong_models(), self.mutants(), self.bad_input(), self.speed(), self.history()]
 
 
 def kind_of(cell):
     """How the template shows a cell: the name of its type."""
     return type(cell).__name__.lower()
+
+
+def index_of(pages):
+    """What the search over all pages finds: page, address and words of each row.
+
+    >>> index_of([Page("a", "A", [], [], [Row("1", ["b", Number("2", 2.0), [Link("c", "d"), Code("e")]])])])
+    [['A', 'a.html#1', 'b; c']]
+    """
+    def words_of(cell):
+        if isinstance(cell, list):
+            return [word for one in cell for word in words_of(one)]
+        return [] if isinstance(cell, (Number, Code, Image)) or not cell else [getattr(cell, "text", cell)]
+
+    return [[page.title, f"{page.name}.html#{row.id}", "; ".join(words_of(list(row.cells)))] for page in pages for row in page.rows]
 
 
 def write_site(known, templates, data, figures, output):
@@ -381,7 +436,7 @@ def write_site(known, templates, data, figures, output):
                                      trim_blocks=True, lstrip_blocks=True)
     environment.tests["kind"] = lambda cell, kind: kind_of(cell) == kind
     environment.globals |= {"pages": pages, "environment": known["environment"], "tests": known["tests"],
-                            "tested_commit": known["tested_commit"]}
+                            "tested_commit": known["tested_commit"], "provenance": known["provenance"]}
     write = lambda name, template, **values: (output / name).write_text(environment.get_template(template).render(**values))
     write("index.html", "index.html", root="", page=site.argument(), title="Does the tip slip? From use to verdict")
     for page in pages:
@@ -390,15 +445,36 @@ def write_site(known, templates, data, figures, output):
         (output / name).parent.mkdir(parents=True, exist_ok=True)
         write(name, "source.html", root="../" * name.count("/"), title=name.removeprefix("source/").removesuffix(".html"),
               lines=lines_of(file))
+    (output / "search.js").write_text(f"const index = {json.dumps(index_of(pages))};\n{(FOLDER / 'search.js').read_text()}")
     for asset in ("site.css", "site.js"):
         shutil.copy(FOLDER / asset, output)
     shutil.copytree(data / "reference", output / "data")
 
 
+SOURCES = r"\.(cpp|hpp|cmake|tex|gp|py|sh|html|js|css|in)$|CMakeLists.txt$|/run$|generate$"
+
+
+def record(known, root):
+    """Adds a row to verification/history.csv, in its columns."""
+    git = lambda *arguments: subprocess.run(["git", *arguments], cwd=root, capture_output=True, text=True, check=True).stdout.split()
+    tests = known["tests"]
+    total = lambda key: sum(int(part[key]) for part in known["mutants"])
+    run = {"commit": known["environment"]["commit"], "date": known["environment"]["date"].partition(" ")[0], "tests": len(tests),
+           "failed": sum(not test["passed"] and not test["skipped"] for test in tests), "seconds": round(sum(test["seconds"] for test in tests)),
+           "criteria": len(known["acceptance"]), "criteria_met": sum(result["passed"] for result in known["acceptance"]),
+           "mutants": total("mutants"), "survivors": total("survived"),
+           "lines": sum(len(lines_of(root / file)) for file in git("ls-files") if re.search(SOURCES, file))}
+    with open(root / "verification" / "history.csv", "a") as file:
+        csv.DictWriter(file, known["history"][0], lineterminator="\n").writerow(run)
+
+
 def main(templates, data, values, figures, output):
-    known = read_values(templates, data, values)
-    write_site(known, templates, data, figures, output)
+    write_site(read_values(templates, data, values), templates, data, figures, output)
 
 
 if __name__ == "__main__":
-    main(*map(Path, sys.argv[1:]))
+    if sys.argv[1] == "record":
+        root = FOLDER.parent.parent
+        record(read_values(FOLDER.parent / "report", root / "data", Path(sys.argv[2])), root)
+    else:
+        main(*map(Path, sys.argv[1:]))

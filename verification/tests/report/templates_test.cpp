@@ -49,6 +49,7 @@ class ReportTemplates : public ::testing::Test {
                      R"({"context": {"processor": "one"}, "benchmarks": []})");
     fs::create_directories(folder_ / "verification" / "peers");
     data::write_text(folder_ / "verification" / "peers" / "scoreboard.csv", "code,verdict\n");
+    data::write_text(folder_ / "verification" / "history.csv", "commit\n");
   }
   void TearDown() override { ::unsetenv("STICKSLIP_REPORTS"); }
 
@@ -157,7 +158,7 @@ class TestResults : public ReportTemplates {
     data::write_text(xml_ / file,
                      "<?xml version=\"1.0\"?><testsuites><testsuite name=\"" + suite +
                          "\"><testcase name=\"" + name + "\" classname=\"" + suite +
-                         "\" file=\"verdict_test.cpp\" line=\"25\" status=\"run\">" + inside +
+                         "\" file=\"verdict_test.cpp\" line=\"25\" status=\"run\" time=\"0.25\">" + inside +
                          "</testcase></testsuite></testsuites>");
   }
 
@@ -192,6 +193,7 @@ TEST_F(TestResults, HoldRequirementComparisonsAndClaim) {
   EXPECT_EQ(test["comparisons"], 2);
   EXPECT_EQ(test["worst"]["computed"], 2.5);
   EXPECT_EQ(test["worst"]["margin"], 0.5);
+  EXPECT_EQ(test["seconds"], 0.25);
   ASSERT_EQ(test["tolerances"].size(), 1U);
   EXPECT_EQ(test["tolerances"][0]["class"], "reference");
   EXPECT_EQ(test["tolerances"][0]["count"], 2);

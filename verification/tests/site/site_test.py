@@ -28,7 +28,7 @@ from selenium.webdriver.common.by import By
 AXE_URL = "https://registry.npmjs.org/axe-core/-/axe-core-4.14.1.tgz"
 AXE_SHA512 = "FHfa+lmNjQZfJz1q8wKqIDwC6DExcHt/pkjNQb09a3NPjCKg2rhu5qb2S4r76ASyFNNtuFooJpZe37OgudVGtQ=="
 # These pages are checked in the browser; the other tables have the same template.
-SHOWN = ("index.html", "requirements.html", "claims.html", "figures.html", "numbers.html", "source/tests/solver/contact_test.cpp.html")
+SHOWN = ("index.html", "verdicts.html", "requirements.html", "claims.html", "figures.html", "numbers.html", "history.html", "source/tests/solver/contact_test.cpp.html")
 
 
 def fetch_axe(folder):
@@ -111,6 +111,29 @@ class Site(unittest.TestCase):
         self.assertGreater(rows, 50)
         self.assertEqual([row.get_attribute("id") for row in found], ["F8"])
         self.assertEqual(self.browser.find_element(By.ID, "count").text, f"1 of {rows} rows")
+
+    def test_search_over_all_pages_leads_to_the_row(self):
+        for name in (SHOWN[0], SHOWN[-1]):
+            with self.subTest(name):
+                self.open(name)
+                self.browser.find_element(By.ID, "everywhere").send_keys("beck LOAD")
+                self.assertRegex(self.browser.find_element(By.ID, "hits").text, r"^\d+ rows")
+                self.browser.find_element(By.CSS_SELECTOR, "#found a").click()
+                self.assertIn("load", self.browser.find_element(By.CSS_SELECTOR, "tr:target").text.lower())
+
+    def test_each_criterion_leads_to_its_requirement_tests_data_and_command(self):
+        self.open("verdicts.html")
+        rows = [[cell.get_attribute("innerHTML") for cell in row.find_elements(By.TAG_NAME, "td")] for row in self.shown_rows()]
+        self.assertGreater(sum("figures.html#" in row[10] for row in rows), len(rows) // 2)
+        for row in rows:
+            for column, link in ((1, "requirements.html#"), (9, "tests.html?q="), (11, "../studies/"), (12, "<code>")):
+                self.assertIn(link, row[column])
+
+    def test_history_is_drawn_and_rows_hide_on_a_phone(self):
+        self.open("history.html", 500)
+        self.assertGreater(len(self.browser.find_elements(By.TAG_NAME, "polyline")), 2)
+        self.browser.find_element(By.ID, "query").send_keys("nothing has this")
+        self.assertEqual(self.shown_rows(), [])
 
     def test_link_to_the_tests_of_a_requirement_shows_these_only(self):
         self.open("requirements.html")
