@@ -23,8 +23,8 @@ do for [k = 0:panels - 1] {
   set logscale x
   set xrange [1e-3:3e3]
   set yrange [causes - 0.4:-0.6]
-  set lmargin at screen 0.29 + 0.177 * k
-  set rmargin at screen 0.445 + 0.177 * k
+  set lmargin at screen 0.31 + 0.172 * k
+  set rmargin at screen 0.462 + 0.172 * k
   if (k == 1) { set ytics format ''; unset label 1; unset key }
   bars = 'file using %d:($0 + %g):(1e-3):%d:($0 + %g):($0 + %g)'.rows."with boxxyerror fillstyle solid noborder linecolor rgb %s title '%s'"
   labels = k == 0 ? ', file using (1e-9):0:ytic(1)'.rows.'with points notitle' : ''
