@@ -20,7 +20,7 @@ do for [j = 1:3] {
       nooutput
     set xrange [0:shown]
     set yrange [y_min - gap:y_max + gap]
-    set title (j == 1 ? sprintf("%s\n%d elements\n", method, size) : '').sprintf('%g Hz, error %.1f %%', hz[j], error)
+    set title (j == 1 ? sprintf("%s\n%d elements\n", method, size) : '').sprintf('%g Hz, error %.1f %%', hz[j], 0.1 * ceil(10 * error))
     set format x (j == 3 ? '%g' : '')
     set xlabel (j == 3 ? 'time t / s' : '')
     set format y (k == 1 ? '%g' : '')
