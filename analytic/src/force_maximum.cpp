@@ -221,6 +221,7 @@ class ForceMaximum::Search {
     const auto block = ends_.begin() + highest * static_cast<std::ptrdiff_t>(kBlock);
     const auto best = std::find(block, ends_.end(), tops_[static_cast<std::size_t>(highest)]);
     see(force_.value(h * static_cast<double>(best - ends_.begin())), force_.rounding_);
+    if (lower_ > too_much_) return;
 
     start_.resize(all);
     double dropped = 0.0;
@@ -232,11 +233,10 @@ class ForceMaximum::Search {
       phases_at((static_cast<double>(first) + 0.5) * h, start_.data());
       double low = most_to_drop() - chord - uncertainty;
       for (std::size_t i = first; i < last; ++i) {
-        const double top = std::max(ends_[i], ends_[i + 1]);
-        if (top <= low) {
+        double top = 0.0;
+        for (; i < last && (top = std::max(ends_[i], ends_[i + 1])) <= low; ++i)
           dropped = std::max(dropped, top);
-          continue;
-        }
+        if (i == last) break;
         column_ = i - first;
         turn_from_start(0, depths_.front().terms);
         settle((static_cast<double>(i) + 0.5) * h, 0);
@@ -255,6 +255,8 @@ class ForceMaximum::Search {
 
   /// Of the first sinusoids, what is not tabulated yet.
   void tabulate_to(std::size_t terms, double h) {
+    sines_.reserve(force_.sinusoids_.size());
+    cosines_.reserve(force_.sinusoids_.size());
     for (std::size_t n = sines_.size(); n < terms; ++n)
       tabulate(force_.sinusoids_[n].angular_frequency * h, sines_.emplace_back(), cosines_.emplace_back());
   }
@@ -267,14 +269,16 @@ class ForceMaximum::Search {
   /// The largest of a few values, as a scale.
   double first_look() {
     const double step = force_.duration_ / static_cast<double>(kLooks);
-    std::array<double, kLooks> values{};
-    for (const auto& [a, w] : force_.sinusoids_) {
-      const Phase turn{std::sin(w * step), std::cos(w * step)};
-      Phase phase;
-      for (double& value : values) value += a * (phase = turned(phase, turn)).sine;
+    std::vector<Phase> turns(force_.sinusoids_.size()), phases(turns.size());
+    phases_at(step, turns.data());
+    for (std::size_t i = 1; i <= kLooks; ++i) {
+      double value = force_.beats(step * static_cast<double>(i));
+      for (std::size_t n = 0; n < turns.size(); ++n) {
+        phases[n] = turned(phases[n], turns[n]);
+        value += force_.sinusoids_[n].amplitude * phases[n].sine;
+      }
+      see(value, force_.rounding_ + turning_);
     }
-    for (std::size_t i = 0; i < kLooks; ++i)
-      see(values[i] + force_.beats(step * static_cast<double>(i + 1)), force_.rounding_ + turning_);
     return lower_;
   }
 

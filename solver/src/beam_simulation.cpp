@@ -37,7 +37,7 @@ Eigen::MatrixXd modal_damping(const BeamModel& model, double ratio) {
   const Eigen::MatrixXd root = Eigen::MatrixXd(model.mass()).llt().matrixL();
   const Eigen::LLT<Eigen::MatrixXd> stiffness(Eigen::MatrixXd(model.elastic_stiffness()));
   const Eigen::MatrixXd half = stiffness.matrixL().solve(root);
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(half.transpose() * half);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(Eigen::MatrixXd(half.transpose() * half));
   return 2.0 * ratio * root * modes.operatorInverseSqrt() * root.transpose();
 }
 

@@ -3,14 +3,13 @@
 
 namespace Eigen {
 
-template class LLT<MatrixXd>;
-template class PartialPivLU<MatrixXd>;
-template class PartialPivLU<MatrixXcd>;
-template class Tridiagonalization<MatrixXd>;
-template class SelfAdjointEigenSolver<MatrixXd>;
-template class GeneralizedSelfAdjointEigenSolver<MatrixXd>;
-template class HessenbergDecomposition<MatrixXd>;
-template class RealSchur<MatrixXd>;
-template class EigenSolver<MatrixXd>;
+template LLT<MatrixXd>& LLT<MatrixXd>::compute(const EigenBase<MatrixXd>&);
+template void PartialPivLU<MatrixXd>::compute();
+template SelfAdjointEigenSolver<MatrixXd>& SelfAdjointEigenSolver<MatrixXd>::compute(
+    const EigenBase<MatrixXd>&, int);
+template GeneralizedSelfAdjointEigenSolver<MatrixXd>&
+GeneralizedSelfAdjointEigenSolver<MatrixXd>::compute(const MatrixXd&, const MatrixXd&, int);
+template EigenSolver<MatrixXd>& EigenSolver<MatrixXd>::compute(const EigenBase<MatrixXd>&, bool);
+template EigenSolver<MatrixXd>::EigenvectorsType EigenSolver<MatrixXd>::eigenvectors() const;
 
 }  // namespace Eigen

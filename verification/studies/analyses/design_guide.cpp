@@ -97,8 +97,8 @@ class Scan {
     return {with_value(problem_, parameter_, value), value, band_};
   }
 
-  // Appends the intervals from `left` to `right` in ascending order.
-  void divide(Candidate left, Candidate right, std::vector<DesignInterval>& intervals) const {
+  // Appends the intervals from `left` to `right` in ascending order. What a candidate has found out serves both sides of it.
+  void divide(Candidate& left, Candidate& right, std::vector<DesignInterval>& intervals) const {
     const bool left_sticks = left.sticks(), right_sticks = right.sticks();
     if (!left_sticks && !right_sticks) return append(left, right, false, intervals);
     if (left_sticks && right_sticks) {
@@ -106,9 +106,9 @@ class Scan {
       if (left.sticks(reserve) && right.sticks(reserve)) return append(left, right, true, intervals);
     }
     if (right.value() - left.value() <= resolution_) return append(left, right, false, intervals);
-    const Candidate middle = at(0.5 * (left.value() + right.value()));
-    divide(std::move(left), middle, intervals);
-    divide(middle, std::move(right), intervals);
+    Candidate middle = at(0.5 * (left.value() + right.value()));
+    divide(left, middle, intervals);
+    divide(middle, right, intervals);
   }
 
   // Values at which a natural frequency is at an end of the band, and values at most 1 % apart.
@@ -251,7 +251,11 @@ DesignScan design_scan(const data::Case& problem, std::string_view parameter, co
         });
     std::vector<std::vector<DesignInterval>> parts(values.size() - 1);
     in_parallel(
-        parts.size(), [&](std::size_t i) { scan.divide(*candidates[i], *candidates[i + 1], parts[i]); },
+        parts.size(),
+        [&](std::size_t i) {
+          Candidate left = *candidates[i], right = *candidates[i + 1];  // another thread has them, too
+          scan.divide(left, right, parts[i]);
+        },
         [&](double share) {
           if (progress) progress(0.5 + 0.5 * share);
         });

@@ -39,7 +39,7 @@ struct ContactProblem {
   double position{};                   ///< of the contact at the start, m
   double velocity{};                   ///< of a start in slip, m/s
   std::vector<double> sample_times{};  ///< ascending; a run ends at the last one, s
-  ContactHistory exact{};
+  ContactHistory exact{};              ///< of a single mass
   /// By event, of a single mass: how fast the sliding velocity (m/s^2) or, at an onset, the holding force (N/s) passes its
   /// limit. An error of either, divided by it, is one of time.
   std::vector<double> rates{};
@@ -165,14 +165,20 @@ ContactProblem pair_of_masses(double position) {
   ContactProblem problem{.name = "TwoMasses" + parameter_name(position), .kind = Kind::two_masses};
   problem.position = position;
   problem.sample_times = {12.0};
-  ExactPair exact(problem.pair, position);
-  exact.run(12.0);
-  problem.exact.events = exact.events();
-  const double phase = problem.pair.omega * 12.0, wall = problem.pair.wall_amplitude;
-  const double velocity = exact.velocity()[1] - wall * problem.pair.omega * std::cos(phase);
-  problem.exact.samples = {{exact.stuck() ? ContactState::stick : ContactState::slip,
-                            exact.displacement()[1] - wall * std::sin(phase), velocity}};
   return problem;
+}
+
+// That of a pair takes a thousand exponentials, which every start of this program would pay for.
+ContactHistory exact_history(const ContactProblem& problem) {
+  if (!problem.is_pair()) return problem.exact;
+  const double end = problem.sample_times.back();
+  ExactPair exact(problem.pair, problem.position);
+  exact.run(end);
+  const double phase = problem.pair.omega * end, wall = problem.pair.wall_amplitude;
+  const double velocity = exact.velocity()[1] - wall * problem.pair.omega * std::cos(phase);
+  return {exact.events(),
+          {{exact.stuck() ? ContactState::stick : ContactState::slip,
+            exact.displacement()[1] - wall * std::sin(phase), velocity}}};
 }
 
 std::vector<ContactProblem> all_problems() {
@@ -623,13 +629,13 @@ TEST_P(ContactBattery, FollowsTheExactHistory) {
   const auto& [problem, engine] = GetParam();
   record_requirement(engine.requirement);
   const ContactErrors errors = engine.errors(*problem).value();
-  const ContactHistory computed = engine.run(*problem);
+  const ContactHistory computed = engine.run(*problem), exact = exact_history(*problem);
   ASSERT_EQ(computed.samples.size(), problem->sample_times.size());
-  if (errors.time) expect_events(computed, problem->exact, errors);
+  if (errors.time) expect_events(computed, exact, errors);
   if (errors.sample_position)
-    for (std::size_t i = 0; i < problem->exact.samples.size(); ++i) {
+    for (std::size_t i = 0; i < exact.samples.size(); ++i) {
       SCOPED_TRACE(problem->sample_times[i]);
-      expect_sample(computed.samples[i], problem->exact.samples[i], errors);
+      expect_sample(computed.samples[i], exact.samples[i], errors);
     }
   if (!errors.friction_power) return;
   const double way = computed.samples[1].way - computed.samples[0].way;

@@ -4,18 +4,17 @@
 #include <Eigen/Dense>
 
 /// @file
-/// Decompositions of Eigen that the solver instantiates once, in decompositions.cpp. Sources that include this header do not compile
-/// them again, which takes 3 to 15 s for each.
+/// What takes 3 to 15 s to compile of Eigen's decompositions, instantiated once, in decompositions.cpp. It serves sources that include
+/// this header and give the decomposition a MatrixXd: for an expression, Eigen has another function.
 namespace Eigen {
 
-extern template class LLT<MatrixXd>;
-extern template class PartialPivLU<MatrixXd>;
-extern template class PartialPivLU<MatrixXcd>;
-extern template class Tridiagonalization<MatrixXd>;
-extern template class SelfAdjointEigenSolver<MatrixXd>;
-extern template class GeneralizedSelfAdjointEigenSolver<MatrixXd>;
-extern template class HessenbergDecomposition<MatrixXd>;
-extern template class RealSchur<MatrixXd>;
-extern template class EigenSolver<MatrixXd>;
+extern template LLT<MatrixXd>& LLT<MatrixXd>::compute(const EigenBase<MatrixXd>&);
+extern template void PartialPivLU<MatrixXd>::compute();
+extern template SelfAdjointEigenSolver<MatrixXd>& SelfAdjointEigenSolver<MatrixXd>::compute(
+    const EigenBase<MatrixXd>&, int);
+extern template GeneralizedSelfAdjointEigenSolver<MatrixXd>&
+GeneralizedSelfAdjointEigenSolver<MatrixXd>::compute(const MatrixXd&, const MatrixXd&, int);
+extern template EigenSolver<MatrixXd>& EigenSolver<MatrixXd>::compute(const EigenBase<MatrixXd>&, bool);
+extern template EigenSolver<MatrixXd>::EigenvectorsType EigenSolver<MatrixXd>::eigenvectors() const;
 
 }  // namespace Eigen
