@@ -73,6 +73,9 @@ class Verdicts {
                      beam.axial_direction());
   }
 
+  // Whether all samples have one |f_max| per metre of amplitude.
+  [[nodiscard]] bool have_one_force() const { return force_.has_value(); }
+
   // Throws data::InputError for values that no beam has.
   [[nodiscard]] SampleResult at(std::span<const double> values) const { return of(case_at(values)); }
 
@@ -209,9 +212,8 @@ void add_quantiles(SlipUncertainty& result, const std::vector<std::optional<Samp
 }
 
 // A fifth of the cost with all of them; modes enough for the bound of those that are left out.
-bool slips_with_all_modes(const data::Case& problem) {
-  const int modes = std::max(40, 4 * problem.numerics.modes());
-  return criterion_with_all_modes(problem, force_width, modes).verdict == analytic::Verdict::stick_slip;
+analytic::Criterion criterion_of_all_modes(const data::Case& problem) {
+  return criterion_with_all_modes(problem, force_width, std::max(40, 4 * problem.numerics.modes()));
 }
 
 SlipUncertainty::AllModes all_modes_of(const std::vector<std::optional<SampleResult>>& truncated,
@@ -359,12 +361,18 @@ SlipUncertainty slip_uncertainty(const data::Case& problem, const data::Uncertai
   const auto samples = results_of(at_most(most_quantile_samples, sampling), joint, sampling, part(margins),
                                   [&](std::span<const double> values) { return verdicts.at(values); });
   add_quantiles(result, samples);
-  if (!sampling.band)
-    result.all_modes = all_modes_of(
-        samples,
-        results_of(all_modes, joint, sampling, part(all_modes_work), [&](std::span<const double> values) {
-          return slips_with_all_modes(case_at(problem, uncertainty.keys, values));
-        }));
+  if (!sampling.band) {
+    const analytic::Criterion nominal = criterion_of_all_modes(problem);
+    const auto slips = [&](std::span<const double> values) {
+      const data::Case sample = case_at(problem, uncertainty.keys, values);
+      if (!verdicts.have_one_force())
+        return criterion_of_all_modes(sample).verdict == analytic::Verdict::stick_slip;
+      const double ratio = sample.excitation.amplitude() / problem.excitation.amplitude();
+      return ratio * nominal.force_max.lower > friction_limit(sample);
+    };
+    result.all_modes =
+        all_modes_of(samples, results_of(all_modes, joint, sampling, part(all_modes_work), slips));
+  }
   result.tornado = tornado_of(problem, uncertainty, sampling.band);
   if (has_indices)
     result.sensitivity = sobol_indices(
