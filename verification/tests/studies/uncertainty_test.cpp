@@ -299,20 +299,34 @@ TEST(SlipProbability, OfACoefficientIsThatOfItsDistribution) {
   }
 }
 
-// With mu_s alone the samples below the coefficient of all modes slip, which is another than that of ten modes.
+// Samples slip whose mu_s, per amplitude, is below that of all modes, which is another than that of ten modes. A Young's modulus
+// that is uncertain by 1e-12 moves no verdict, but each sample has a force of its own then.
 TEST(SlipProbability, OfAllModesCountsTheFirstSamplesBelowTheirCoefficient) {
-  const studies::JointDistribution joint(uncertain_coefficient());
-  data::Case of = problem();
-  for (const data::Damping& damping : {data::Damping(), data::Damping({.kelvin_voigt = 6.4e-5})}) {
+  const auto with_amplitude = independent(
+      {{"friction.static_coefficient", normal(0.55, 0.05)}, {"excitation.amplitude", uniform(4e-4, 6e-4)}});
+  const auto with_a_force_each = independent({{"friction.static_coefficient", normal(0.55, 0.05)},
+                                              {"excitation.amplitude", uniform(4e-4, 6e-4)},
+                                              {"beam.youngs_modulus", normal(2e9, 0.002)}});
+  struct Run {
+    data::Damping damping;
+    data::Uncertainty uncertainty;
+  };
+  for (const auto& [damping, uncertainty] : {Run{{}, uncertain_coefficient()},
+                                             {data::Damping({.kelvin_voigt = 6.4e-5}), with_amplitude},
+                                             {{}, with_a_force_each}}) {
+    data::Case of = problem();
     of.damping = damping;
+    const studies::JointDistribution joint(uncertainty);
     const double all_modes = studies::criterion_answer(of).all_modes.force_max.midpoint() / 500.0;
+    const double ten_modes = critical_coefficient(of);
     std::size_t slips = 0, truncated = 0;
     for (std::size_t i = 0; i < 1000; ++i) {
-      const double coefficient = joint.at(studies::independent_point(2, i, 1)).front();
-      if (coefficient < all_modes) ++slips;
-      if (coefficient < critical_coefficient(of)) ++truncated;
+      const auto sample = joint.at(studies::independent_point(2, i, joint.size()));
+      const double ratio = joint.size() > 1 ? sample[1] / of.excitation.amplitude() : 1.0;
+      if (sample[0] < ratio * all_modes) ++slips;
+      if (sample[0] < ratio * ten_modes) ++truncated;
     }
-    const auto result = studies::slip_uncertainty(of, uncertain_coefficient(), {.samples = 2000, .seed = 2});
+    const auto result = studies::slip_uncertainty(of, uncertainty, {.samples = 2000, .seed = 2});
     ASSERT_TRUE(result.all_modes);
     EXPECT_EQ(result.all_modes->valid, 1000u);
     EXPECT_EQ(result.all_modes->slips, slips);
