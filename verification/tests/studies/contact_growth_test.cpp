@@ -149,7 +149,7 @@ TEST(ContactGrowth, OfAMeshDoublesWithEachRefinement) {
 TEST(ContactGrowth, RadiatingTipKeepsTheGrowthOfTheBeam) {
   // 0.03 rho A l of the 0.0722 rho A l that the tip opposes to an impulse, behind a dashpot of kappa. Without
   // the dashpot it is kappa/(0.0422 rho A l), which doubles with the mesh.
-  for (const int elements : {5, 10, 20, 40}) {
+  for (const int elements : {5, 10, 20}) {
     const double mass = 0.03 * 10.0 * 2.0 / elements;
     const auto bound = [&](double dashpot) {
       return growth_bound(studies::continuous_contact(solver::ContactMobility(
