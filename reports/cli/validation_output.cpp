@@ -63,11 +63,10 @@ CLI::Option* add_own_options(CLI::App& command, OwnComparison& options) {
 
 Answer compared_with_case(const std::string& file, const OwnComparison& options, Outputs& outputs) {
   if (file.empty()) throw CLI::RequiredError("NAME");
-  const auto measurements = studies::read_measurements(file);
   const auto problem = data::find_case(options.problem);
   outputs.open({{"the table", options.quiet || options.json == "-" ? "" : "-"}, {"--json", options.json}});
   const studies::CaseComparison result =
-      studies::compare_with_case(problem, measurements, options.samples, std::ref(outputs.progress()));
+      studies::compare_with_case(problem, file, options.samples, std::ref(outputs.progress()));
   Answer answer;
   answer.add_members({{"file", file},
                       {"case", options.problem},
