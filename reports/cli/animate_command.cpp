@@ -55,7 +55,7 @@ Answer animate(const AnimateOptions& options, Outputs& outputs) {
   report::write_animation(problem, {.method = &method,
                                     .frames = options.frames,
                                     .output = options.output,
-                                    .heading = outputs.heading("Motion of the beam"),
+                                    .title = outputs.heading("Motion of the beam"),
                                     .quiet = outputs.is_quiet()});
   Answer answer;
   answer.add_line(fmt::format("{} frames written to {}", options.frames, options.output));

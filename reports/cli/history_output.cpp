@@ -124,7 +124,9 @@ void HistoryOutput::add(const studies::HistoryRow& row, long step) {
   if (row.time < from_ - rounding || row.time > to_ + rounding) return;
   // The header not before, so that an error in the problem writes nothing.
   outputs_.file("--output")
-      .write((rows_++ == 0 ? outputs_.heading("Motion of the tip") + column_names : "") + csv_line(row));
+      .write(
+          (rows_++ == 0 ? fmt::format("# {}\n{}", outputs_.heading("Motion of the tip"), column_names) : "") +
+          csv_line(row));
   if (drawing_) drawing_->add(row);
 }
 

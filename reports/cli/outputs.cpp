@@ -116,7 +116,7 @@ void Outputs::commit(std::string_view option) {
 }
 
 std::string Outputs::heading(std::string_view title) const {
-  return fmt::format("# {}; {}, {}{}\n", title, program(), command_,
+  return fmt::format("{}; {}, {}{}", title, program(), command_,
                      head_.contains("problem") ? ", " + head_["problem"].dump() : "");
 }
 
@@ -132,9 +132,10 @@ void Outputs::write(std::string_view option, const std::function<std::string()>&
 
 void Outputs::write_table(std::string_view option, const std::function<std::string()>& text) {
   write(option, [&] {
-    const std::string whole = text();
-    const auto end = whole.find('\n');
-    return heading(whole.substr(2, end - 2)) + whole.substr(end + 1);
+    std::string whole = text();
+    constexpr std::size_t begin = 2;  // of the title
+    const std::size_t length = whole.find('\n') - begin;
+    return whole.replace(begin, length, heading(whole.substr(begin, length)));
   });
 }
 

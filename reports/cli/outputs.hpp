@@ -57,13 +57,13 @@ class Outputs {
   [[nodiscard]] data::AtomicFile& file(std::string_view option);
   void commit(std::string_view option);
 
-  /// The comment line that begins a table: its title, program and subcommand, and the numbers of the case if there is one.
+  /// The title that a table has in a file: with program and subcommand, and the numbers of the case if there is one.
   [[nodiscard]] std::string heading(std::string_view title) const;
 
   /// Writes the whole file of an option and puts it in place; without the option `text` is not called.
   void write(std::string_view option, const std::function<std::string()>& text);
 
-  /// The same for a table that begins with its title, "# TITLE", in place of which the file has heading(TITLE).
+  /// The same for a table that begins with its title, "# TITLE", which becomes heading(TITLE).
   void write_table(std::string_view option, const std::function<std::string()>& text);
 
   /// The same for --json FILE, with program, command and the case before the members of the answer.
