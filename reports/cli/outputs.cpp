@@ -56,6 +56,13 @@ void require_compatible(const std::vector<Outputs::Named>& files, bool is_json) 
 
 }  // namespace
 
+struct Outputs::Open {
+  explicit Open(const Named& named) : name(named), file(named.path) {}
+  Named name;
+  data::AtomicFile file;
+  bool is_written{};
+};
+
 Outputs::Outputs(const CLI::App& command)
     : command_(command.get_name()),
       is_json_(has_flag(command, "--json")),
@@ -65,6 +72,8 @@ Outputs::Outputs(const CLI::App& command)
   look_.title = text_of(command, "--title").value_or("");
   if (const auto size = text_of(command, "--size")) look_.size_cm = size_in(*size);
 }
+
+Outputs::~Outputs() = default;
 
 void Outputs::about(const data::Case& problem) {
   beam_ = beam_line(problem);

@@ -33,6 +33,7 @@ class Outputs {
 
   /// Of a subcommand whose arguments have been read.
   explicit Outputs(const CLI::App& command);
+  ~Outputs();
   Outputs(const Outputs&) = delete;
   Outputs& operator=(const Outputs&) = delete;
 
@@ -85,12 +86,7 @@ class Outputs {
   void print(Answer answer);
 
  private:
-  struct Open {
-    explicit Open(const Named& named) : name(named), file(named.path) {}
-    Named name;
-    data::AtomicFile file;
-    bool is_written{};
-  };
+  struct Open;
 
   [[nodiscard]] Open* find(std::string_view option);
   [[nodiscard]] bool takes_standard_output() const;
