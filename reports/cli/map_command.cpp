@@ -136,12 +136,9 @@ void add_motion_options(CLI::App& command, MapOptions& options) {
 void add_output_options(CLI::App& command, MapOptions& options) {
   command.add_flag("--dry-run", options.dry_run,
                    "Write no map, but time some evaluations and print what the map will take");
-  command
-      .add_option("--output", options.files.output,
+  add_file_option(command, "--output", options.files.output,
                   "CSV file, '-' for standard output; what is finished of a long map is kept in "
-                  "FILE.partial, from which the same command goes on")
-      ->check(file_name())
-      ->capture_default_str();
+                  "FILE.partial, from which the same command goes on");
   add_figure_option(command, options.files.figure);
 }
 
