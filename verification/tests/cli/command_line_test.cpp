@@ -76,7 +76,7 @@ constexpr Refusal refusals[] = {
     {"uncertainty uncertain --band 30:31 --hz 40", "--hz excludes --band"},
     {"map damped --quantity work --method closed-form", "of the verdict, but --quantity is work"},
     {"periodic reed --periods 2", "--periods is 2, but must be 1 where excitation.amplitude is 0: the base"},
-    {"report --only fig1 --tests tests", "--tests excludes --only"},
+    {"report --only fig1 --tests .", "--tests excludes --only"},
     {"map paper --dry-run --x frequency=10:20:2 --y amplitude=1e-4:1e-3:2 --shard 5/50",
      "--shard is 5/50, but must be of at most 2 parts, the evaluations of this map"},
     {"respond paper --duration 0.1 --output h.csv --spectrum h.csv", "must be another file than --output"},
