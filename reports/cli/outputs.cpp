@@ -113,6 +113,11 @@ Outputs::Open* Outputs::find(std::string_view option) {
   return found == files_.end() ? nullptr : &*found;
 }
 
+std::string Outputs::path(std::string_view option) {
+  const Open* const open = find(option);
+  return open == nullptr ? "" : open->name.path;
+}
+
 data::AtomicFile& Outputs::file(std::string_view option) {
   if (Open* const open = find(option); open != nullptr) return open->file;
   throw std::logic_error(fmt::format("{} names no file", option));

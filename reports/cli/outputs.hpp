@@ -54,6 +54,9 @@ class Outputs {
 
   [[nodiscard]] bool has(std::string_view option) { return find(option) != nullptr; }
 
+  /// The name of the file of an option; empty if it has none.
+  [[nodiscard]] std::string path(std::string_view option);
+
   /// The file of an option that is given, to write in parts; commit() puts it in place.
   [[nodiscard]] data::AtomicFile& file(std::string_view option);
   void commit(std::string_view option);
