@@ -34,8 +34,8 @@ inline constexpr std::string_view closed_form_method = "closed-form", finite_ele
 inline constexpr std::size_t most_parts = 1'000'000;
 inline constexpr std::size_t largest_file = 500'000'000;  ///< bytes, more than the largest map takes
 
-inline constexpr std::array all_states{studies::CellState::stick, studies::CellState::stick_slip,
-                                       studies::CellState::no_stick_state};
+inline constexpr std::array<studies::CellState, 3> all_states{analytic::Verdict::stick,
+                                                              analytic::Verdict::stick_slip, std::nullopt};
 
 /// Part 1 ... `parts` of the evaluations of a map (studies::share_of).
 struct MapPart {

@@ -49,10 +49,10 @@ Answer answer_of(const studies::MapTask& task, const studies::CriterionMap& map,
   Json object = to_json(task, outputs);
   object.update({{"figure", figure.empty() ? Json() : Json(figure)}, {"cells", map.cells.size()}});
   std::string counts;
-  for (const auto state : all_states) {
+  for (const auto& state : all_states) {
     const auto count = std::ranges::count(map.cells, state, &studies::CriterionMap::Cell::state);
-    object["states"][report::to_string(state)] = count;
-    counts += fmt::format("{}{} {}", counts.empty() ? "" : ", ", count, report::to_string(state));
+    object["states"][studies::name_of(state)] = count;
+    counts += fmt::format("{}{} {}", counts.empty() ? "" : ", ", count, studies::name_of(state));
   }
   if (!map.quantities.empty()) {
     object["converged"] = converged_cells(map);

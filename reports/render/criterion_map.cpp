@@ -117,7 +117,7 @@ CsvTable table_of(const data::Case& problem, const studies::CriterionMap& map) {
       table.add(at_x).add(at_y);
       if (has_ratio) table.add(cell->force_ratio);
       for (std::size_t q = 0; q < map.quantities.size(); ++q) add(table, *cell, q, map.tolerance);
-      table.add(to_string(cell->state)).end_row();
+      table.add(studies::name_of(cell->state)).end_row();
       ++cell;
     }
     table.end_grid_line();

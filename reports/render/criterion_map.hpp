@@ -13,8 +13,6 @@
 
 namespace stickslip::report {
 
-using studies::to_string;
-
 /// The column and the unit of a key that may be an axis.
 [[nodiscard]] CsvColumn column_of(std::string_view parameter);
 
