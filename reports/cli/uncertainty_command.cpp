@@ -188,8 +188,7 @@ Answer slip_probability(const UncertaintyOptions& given, Outputs& outputs) {
     const auto band = parse_range("--band", "excitation.frequency_hz", *options.band, true);
     options.sampling.band = analytic::FrequencyBand{band.from, band.to};
     problem.numerics = numerics_up_to(band.to, options.problem);
-    problem.excitation =
-        data::HarmonicExcitation({.frequency_hz = band.to, .amplitude = problem.excitation.amplitude()});
+    problem = data::with_value(problem, "excitation.frequency_hz", band.to);
   }
   const auto inquiry = options.band ? studies::Inquiry::design : studies::Inquiry::criterion;
   studies::require_feasible(problem, inquiry);
