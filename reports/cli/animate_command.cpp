@@ -55,7 +55,7 @@ Answer animate(const AnimateOptions& options, Outputs& outputs) {
   report::write_animation(problem, {.method = &method,
                                     .frames = options.frames,
                                     .output = options.output,
-                                    .heading = outputs.heading("Motion of the beam"),
+                                    .title = outputs.heading("Motion of the beam"),
                                     .quiet = outputs.is_quiet()});
   Answer answer;
   answer.add_line(fmt::format("{} frames written to {}", options.frames, options.output));
@@ -72,15 +72,11 @@ Answer animate(const AnimateOptions& options, Outputs& outputs) {
 void add_options(CLI::App& command, AnimateOptions& options) {
   add_case_options(command, options.problem);
   add_excitation_options(command, options.problem);
-  command
-      .add_option("--method", options.method,
-                  "Finite elements with contact, or event by event in the modes of the continuous beam")
-      ->check(one_of({"event-driven", "fe"}))
-      ->capture_default_str();
+  add_choice_option(command, "--method", options.method, {"event-driven", "fe"},
+                    "Finite elements with contact, or event by event in the modes of the continuous beam");
   add_duration_option(command, options.problem, "else ten periods of the excitation");
-  command.add_option("--frames", options.frames, "Number of frames, evenly over the duration")
-      ->check(integer_between(2, report::most_frames))
-      ->capture_default_str();
+  add_integer_option(command, "--frames", options.frames, 2, report::most_frames,
+                     "Number of frames, evenly over the duration");
   command
       .add_option("--output", options.output,
                   "Folder for frame-0001.png ... and motion.csv, or a film, a .gif file")

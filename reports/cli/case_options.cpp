@@ -6,8 +6,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "stickslip/analytic/stick_modes.hpp"
+#include "stickslip/data/csv_text.hpp"
 #include "stickslip/data/input_text.hpp"
 #include "stickslip/data/units.hpp"
 
@@ -15,7 +17,7 @@ namespace stickslip::cli {
 
 void add_package_option(CLI::App& command, std::string& package) {
   command.add_option("--package", package, "Folder with another data package (else that of stickslip)")
-      ->check(file_name());
+      ->check(folder());
 }
 
 void add_set_option(CLI::App& command, std::vector<std::string>& overrides, const std::string& help) {
@@ -78,6 +80,25 @@ CLI::Validator file_name() {
   return {[](const std::string& text) { return text.empty() ? is_not(text, "the name of a file") : ""; }, ""};
 }
 
+CLI::Validator folder() {
+  return {[](const std::string& text) {
+            std::error_code error;
+            return std::filesystem::is_directory(text, error) ? "" : is_not(text, "a folder that exists");
+          },
+          ""};
+}
+
+CLI::Option* add_file_option(CLI::App& command, const std::string& name, std::string& value,
+                             const std::string& help) {
+  auto* const option = command.add_option(name, value, help)->check(file_name());
+  return value.empty() ? option : option->capture_default_str();
+}
+
+CLI::Option* add_choice_option(CLI::App& command, const std::string& name, std::string& value,
+                               const std::vector<std::string>& names, const std::string& help) {
+  return command.add_option(name, value, help)->check(one_of(names))->capture_default_str();
+}
+
 CLI::Option* add_key_option(CLI::App& command, CaseOptions& options, const std::string& name,
                             const std::string& key, const std::string& help) {
   const auto take = [&options, key, name](const std::string& text) {
@@ -102,6 +123,19 @@ std::vector<data::Override> overrides_of(const CaseOptions& options) {
   for (const auto& text : options.overrides) overrides.push_back(data::Override::parse(text));
   overrides.insert(overrides.end(), options.keys.begin(), options.keys.end());
   return overrides;
+}
+
+std::vector<std::vector<data::Override>> read_plan(const std::string& file) {
+  const std::string text = data::read_table_text(file);
+  data::CsvReader csv(file, text);
+  std::vector<std::vector<data::Override>> points;
+  while (const auto cells = csv.next_row()) {
+    auto& point = points.emplace_back();
+    for (std::size_t i = 0; i < cells->size(); ++i)
+      point.push_back({csv.names()[i], (*cells)[i], csv.place(csv.line(), i)});
+  }
+  if (points.empty()) throw data::InputError(file + ": the plan has no rows, but must have at least one");
+  return points;
 }
 
 data::Case load_case(const CaseOptions& options, const std::vector<data::Override>& more) {

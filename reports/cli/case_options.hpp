@@ -50,17 +50,34 @@ template <class Number>
   return value;
 }
 
-/// Accept integers from lowest to highest, numbers and finite times of 0 or more, one of some names, or the name
-/// of a file: so that an error message says what is allowed. number() and time() take a unit as a case file does, and
+/// Accept integers from lowest to highest, numbers and finite times of 0 or more, one of some names, the name
+/// of a file, or a folder that exists: so that an error message says what is allowed. number() and time() take a unit as a case file does, and
 /// as a transform of the option hand on the number in SI units.
 [[nodiscard]] CLI::Validator integer_between(long lowest, long highest);
 [[nodiscard]] CLI::Validator number(const std::string& unit = "", bool is_time = false);
 [[nodiscard]] CLI::Validator time();
 [[nodiscard]] CLI::Validator one_of(const std::vector<std::string>& names);
 [[nodiscard]] CLI::Validator file_name();
+[[nodiscard]] CLI::Validator folder();
+
+/// Options whose default --help shows, unless it is empty: the name of a file, an integer, one of some names.
+CLI::Option* add_file_option(CLI::App& command, const std::string& name, std::string& value,
+                             const std::string& help);
+CLI::Option* add_choice_option(CLI::App& command, const std::string& name, std::string& value,
+                               const std::vector<std::string>& names, const std::string& help);
+template <class Integer>
+CLI::Option* add_integer_option(CLI::App& command, const std::string& name, Integer& value, long lowest,
+                                long highest, const std::string& help) {
+  return command.add_option(name, value, help)
+      ->check(integer_between(lowest, highest))
+      ->capture_default_str();
+}
 
 /// The overrides of --set, then those of the options with a name of their own. Throws data::InputError.
 [[nodiscard]] std::vector<data::Override> overrides_of(const CaseOptions& options);
+
+/// The overrides of each row of a CSV file with a column for each key, of one row at least. Throws data::InputError.
+[[nodiscard]] std::vector<std::vector<data::Override>> read_plan(const std::string& file);
 
 /// The case with those overrides and some more. Throws data::InputError.
 [[nodiscard]] data::Case load_case(const CaseOptions& options, const std::vector<data::Override>& more = {});

@@ -25,6 +25,12 @@ void finish(Answer answer, Outputs& outputs) {
   if (status != 0) throw CLI::RuntimeError(status);
 }
 
+void throw_naming_option(const data::FieldError& error, const std::vector<data::Override>& given) {
+  const auto option = std::ranges::find(given, error.field(), &data::Override::key);
+  if (option == given.end()) throw error;
+  throw data::InputError(fmt::format("{}: {}", option->place, error.what()));
+}
+
 void add_warning(Answer& answer, const std::optional<std::string>& warning) {
   if (!answer.warnings) answer.warnings.emplace();
   if (warning) answer.warnings->push_back(*warning);
@@ -68,8 +74,7 @@ void add_threads_option(CLI::App& command) {
 }
 
 void add_figure_option(CLI::App& command, std::string& figure, const std::string& what) {
-  command.add_option("--figure", figure, what + ", a .png, .pdf or .svg file (needs gnuplot)")
-      ->check(file_name());
+  add_file_option(command, "--figure", figure, what + ", a .png, .pdf or .svg file (needs gnuplot)");
   const auto is_size = [](const std::string& text) {
     return size_in(text)
                ? ""

@@ -13,6 +13,7 @@
 
 #include "answer.hpp"
 #include "outputs.hpp"
+#include "stickslip/data/case_file.hpp"
 
 namespace stickslip::cli {
 
@@ -31,6 +32,10 @@ void add_examples(CLI::App& command, const std::vector<std::string>& lines);
 /// Prints the answer. Throws CLI::RuntimeError with the status of the answer if that is not 0.
 void finish(Answer answer, Outputs& outputs);
 
+/// Throws the error again, beginning with the option that gave its field if it is one of these.
+[[noreturn]] void throw_naming_option(const data::FieldError& error,
+                                      const std::vector<data::Override>& given);
+
 /// Adds the subcommand, which runs when it is found among the arguments.
 template <class Options>
 void add(CLI::App& app, const Command<Options>& command) {
@@ -40,7 +45,12 @@ void add(CLI::App& app, const Command<Options>& command) {
   add_examples(*added, command.examples);
   added->callback([added, options, run = command.run] {
     Outputs outputs(*added);
-    finish(run(*options, outputs), outputs);
+    try {
+      finish(run(*options, outputs), outputs);
+    } catch (const data::FieldError& error) {
+      if constexpr (requires { options->problem.keys; }) throw_naming_option(error, options->problem.keys);
+      throw;
+    }
   });
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <functional>
@@ -59,18 +60,15 @@ std::vector<CompareOptions> runs_of(const CompareOptions& options) {
   return runs;
 }
 
+bool is_own_run(const CompareOptions& options) { return options.name.ends_with(".csv"); }
+
 comparison::Comparison compare(const CompareOptions& options, const data::ReferencePackage& package,
                                const std::function<void(double)>& progress) {
-  const bool is_own_run = options.name.ends_with(".csv");
-  const comparison::Reference reference =
-      is_own_run ? comparison::own_run(options.name) : comparison::read_reference(package, options.name);
-  comparison::Settings settings{.tolerances = {}, .until = options.until};
+  const comparison::Reference reference = is_own_run(options)
+                                              ? comparison::own_run(options.name)
+                                              : comparison::read_reference(package, options.name);
+  comparison::Settings settings{.tolerances = parse_tolerances(options.tolerances), .until = options.until};
   if (!options.rows.empty()) settings.rows = parse_rows(options.rows);
-  for (const std::string& text : options.tolerances) {
-    const auto [quantity, value] = parse_tolerance(text);
-    settings.tolerances[quantity] = value;
-  }
-
   std::vector<data::ColumnMapping> mappings;
   for (const std::string& text : options.columns) mappings.push_back(data::ColumnMapping::parse(text));
   std::vector<const data::ReferenceTable*> references{&reference.table};
@@ -86,7 +84,7 @@ comparison::Comparison compare(const CompareOptions& options, const data::Refere
   const data::UserTable theirs =
       data::read_user_table(options.file, reference.table, mappings, options.names);
   comparison::Comparison result = comparison::compare(reference, theirs, settings);
-  if (!is_own_run)
+  if (!is_own_run(options))
     result.diagnoses = comparison::diagnose(result, package, reference.table, theirs, progress);
   return result;
 }
@@ -105,8 +103,10 @@ Answer compared(const CompareOptions& options, Outputs& outputs) {
                 {"--json", options.own.json},
                 {"--junit", options.junit},
                 {"--figure", options.figure}});
-  const data::ReferencePackage package = data::load_reference(options.package);
   const std::vector<CompareOptions> runs = runs_of(options);
+  const data::ReferencePackage package = std::ranges::all_of(runs, is_own_run)
+                                             ? data::ReferencePackage{}
+                                             : data::load_reference(options.package);
   report::Progress& progress = outputs.progress(": known mistakes");
   // By the place of the agreement in its list; a file that cannot be compared is the worst, then what differs.
   constexpr std::array statuses{done, failed, undecided, unusable};
@@ -141,21 +141,19 @@ Answer compared(const CompareOptions& options, Outputs& outputs) {
 }
 
 void add_options(CLI::App& command, CompareOptions& options) {
-  const auto file = [&](const char* name, std::string& value, const char* help) {
-    return command.add_option(name, value, help)->check(file_name());
-  };
   const auto words = [&](const char* name, auto& value, const char* type, const char* help) {
     return command.add_option(name, value, help)->type_name(type);
   };
   command.add_option("NAME", options.name,
                      "A data set that 'stickslip reference list' lists, or the .csv file of a run of your "
                      "own; with --case the file of a measurement");
-  file("FILE", options.file,
-       "CSV file with the columns of the data set, '-' for standard input; a unit may follow a name, as in "
-       "'frequency [kHz]'");
+  add_file_option(
+      command, "FILE", options.file,
+      "CSV file with the columns of the data set, '-' for standard input; a unit may follow a name, as in "
+      "'frequency [kHz]'");
   auto* problem = add_own_options(command, options.own);
-  file("--events", options.events,
-       "CSV file with the changes of contact of the same run, for a history with stick and slip");
+  add_file_option(command, "--events", options.events,
+                  "CSV file with the changes of contact of the same run, for a history with stick and slip");
   words("--column", options.columns, "REFERENCE=YOURS[:UNIT]",
         "Which column of yours is which, and in which unit, as in frequency=f1:kHz; repeatable")
       ->allow_extra_args(false);
@@ -170,13 +168,13 @@ void add_options(CLI::App& command, CompareOptions& options) {
       ->allow_extra_args(false);
   command.add_option("--until", options.until, "Compare nothing later, s; a run of yours must reach it")
       ->transform(time());
-  file("--junit", options.junit, "XML file in JUnit's format, '-' for standard output");
+  add_file_option(command, "--junit", options.junit, "XML file in JUnit's format, '-' for standard output");
   add_figure_option(command, options.figure);
   add_package_option(command, options.package);
-  auto* manifest =
-      file("--manifest", options.manifest,
-           "CSV file with the columns data_set and file, and events and rows if need be: compares them "
-           "all, instead of NAME and FILE");
+  auto* manifest = add_file_option(
+      command, "--manifest", options.manifest,
+      "CSV file with the columns data_set and file, and events and rows if need be: compares them "
+      "all, instead of NAME and FILE");
   manifest->excludes(command.get_option("NAME"));
   for (const char* single : {"FILE", "--events", "--column", "--columns", "--rows", "--until", "--figure"}) {
     manifest->excludes(command.get_option(single));

@@ -8,8 +8,7 @@
 #include "case_options.hpp"
 #include "command.hpp"
 #include "commands.hpp"
-#include "render/drawing.hpp"
-#include "stickslip/data/csv_text.hpp"
+#include "render/criterion_map.hpp"
 #include "studies/analyses/criterion_answer.hpp"
 
 namespace stickslip::cli {
@@ -105,21 +104,6 @@ Answer answer_of(const data::Case& problem, const studies::CriterionAnswer& foun
   return answer;
 }
 
-std::string drawing(const data::Case& problem, const report::Look& look) {
-  const auto curve = studies::critical_amplitude_curve(problem);
-  report::CsvTable table("Critical amplitude of the case " + problem.name,
-                         {{"frequency", "Hz"}, {"critical_amplitude", "m"}});
-  report::CsvTable marks("Natural frequencies of the stick state", {{"frequency", "Hz"}});
-  for (std::size_t i = 0; i < curve.hz.size(); ++i) table.add_numbers({curve.hz[i], curve.amplitudes[i]});
-  for (const double hz : curve.natural_hz) marks.add_numbers({hz});
-  const auto values = report::values_table({{"excitation_frequency", problem.excitation.frequency_hz(), "Hz"},
-                                            {"excitation_amplitude", problem.excitation.amplitude(), "m"}});
-  return report::drawing_of("criterion", look,
-                            {{"criterion.csv", table.text()},
-                             {"criterion-natural.csv", marks.text()},
-                             {"criterion-values.csv", values.text()}});
-}
-
 data::Case case_of(const CaseOptions& options, const std::vector<data::Override>& point = {}) {
   data::Case problem = load_case(options, point);
   data::require_rigid(problem.contact, "the criterion, whose tip is held; respond takes it");
@@ -128,24 +112,10 @@ data::Case case_of(const CaseOptions& options, const std::vector<data::Override>
   return problem;
 }
 
-// A plan has a column for each key and a row for each point; without a plan one point changes nothing.
-std::vector<std::vector<data::Override>> points_of(const std::string& plan) {
-  if (plan.empty()) return {{}};
-  const std::string text = data::read_table_text(plan);
-  data::CsvReader csv(plan, text);
-  std::vector<std::vector<data::Override>> points;
-  while (const auto cells = csv.next_row()) {
-    auto& point = points.emplace_back();
-    for (std::size_t i = 0; i < cells->size(); ++i)
-      point.push_back({csv.names()[i], std::string((*cells)[i]), csv.place(csv.line(), i)});
-  }
-  if (points.empty()) throw data::InputError(plan + ": the plan has no rows, but must have at least one");
-  return points;
-}
-
 // A row for each case and point, with all modes.
 Answer table_of_cases(const CriterionOptions& options, Outputs& outputs) {
-  const auto points = points_of(options.plan);
+  const auto points =
+      options.plan.empty() ? std::vector<std::vector<data::Override>>(1) : read_plan(options.plan);
   std::vector<CaseOptions> cases{options.problem};
   for (const std::string& name : options.more) cases.emplace_back(options.problem).name = name;
   Table table{.columns = {{"case", "case"}}, .rows = {}};
@@ -194,23 +164,21 @@ Answer criterion(const CriterionOptions& options, Outputs& outputs) {
   Answer answer = answer_of(problem, studies::criterion_answer(problem));
   answer.warnings = warnings_of(problem, studies::Inquiry::criterion);
   require_finite(answer.json);
-  outputs.draw(problem.name, [&](const report::Look& look) { return drawing(problem, look); });
+  outputs.draw(problem.name, [&](const report::Look& look) {
+    return report::draw(problem, studies::critical_amplitude_curve(problem), look);
+  });
   return answer;
 }
 
 void add_options(CLI::App& command, CriterionOptions& options) {
   add_case_options(command, options.problem);
   auto* more = command.add_option("CASES", options.more, "Further cases: a row each in one table");
-  auto* plan =
-      command
-          .add_option(
-              "--plan", options.plan,
-              "CSV file with a column for each key that it varies, as beam.length, and a row for each "
-              "point: a row each in the table")
-          ->check(file_name());
+  auto* plan = add_file_option(
+      command, "--plan", options.plan,
+      "CSV file with a column for each key that it varies, as beam.length, and a row for each "
+      "point: a row each in the table");
   auto* output =
-      command.add_option("--output", options.output, "CSV file for the table, '-' for standard output")
-          ->check(file_name());
+      add_file_option(command, "--output", options.output, "CSV file for the table, '-' for standard output");
   add_excitation_options(command, options.problem);
   add_figure_option(command, options.figure);
   command.get_option("--figure")->excludes(more)->excludes(plan)->excludes(output);

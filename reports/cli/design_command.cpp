@@ -3,6 +3,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <optional>
@@ -52,13 +53,9 @@ Ranges ranges_of(const data::Case& problem, const DesignOptions& options) {
 
 // The case at the highest frequency of the band and that length.
 data::Case at_the_end_of(const data::Case& problem, const studies::ParameterRange& band, double length) {
-  data::Case end = problem;
-  end.excitation =
-      data::HarmonicExcitation({.frequency_hz = band.to, .amplitude = problem.excitation.amplitude()});
-  data::BeamProperties properties = problem.beam.properties();
-  properties.length = length;
-  end.beam = data::Beam(properties);
-  return end;
+  const std::array<std::pair<std::string_view, double>, 2> values{
+      {{"excitation.frequency_hz", band.to}, {"beam.length", length}}};
+  return data::with_values(problem, values);
 }
 
 std::string reason_for(const studies::DesignInterval& interval, bool is_one_frequency) {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -52,43 +53,63 @@ long row_step_of(const data::Case& problem, const HistoryOptions& options, doubl
 
 }  // namespace
 
-HistoryDrawing::HistoryDrawing(double from, double to, double rows)
-    : from_(from), width_(rows > 2.0 * columns ? (to - from) / columns : 0.0), text_(column_names) {}
+// A drawing of a history in bounded memory: all rows or, of more than two for each of the columns of a figure, the
+// smallest and the largest values in each column, in the order in which they come.
+class HistoryOutput::Drawing {
+ public:
+  // Of about so many rows, `from` to `to` (s).
+  Drawing(double from, double to, double rows)
+      : from_(from), width_(rows > 2.0 * columns ? (to - from) / columns : 0.0), text_(column_names) {}
 
-void HistoryDrawing::add(const studies::HistoryRow& row) {
-  const double column = width_ > 0.0 ? std::floor((row.time - from_) / width_) : row.time;
-  if (column != column_) {
+  void add(const studies::HistoryRow& row) {
+    const double column = width_ > 0.0 ? std::floor((row.time - from_) / width_) : row.time;
+    if (column != column_) {
+      end_column();
+      column_ = column;
+      smallest_ = largest_ = row;
+      return;
+    }
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const double value = row.*values[i];
+      if (value < smallest_.*values[i]) falls_[i] = true;
+      if (value > largest_.*values[i]) falls_[i] = false;
+      smallest_.*values[i] = std::min(smallest_.*values[i], value);
+      largest_.*values[i] = std::max(largest_.*values[i], value);
+    }
+    largest_.time = row.time;
+    if (row.state == data::ContactState::slip) smallest_.state = row.state;
+  }
+
+  // As CSV with the columns of the file.
+  [[nodiscard]] std::string text() {
     end_column();
-    column_ = column;
-    smallest_ = largest_ = row;
-    return;
+    return text_;
   }
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const double value = row.*values[i];
-    if (value < smallest_.*values[i]) falls_[i] = true;
-    if (value > largest_.*values[i]) falls_[i] = false;
-    smallest_.*values[i] = std::min(smallest_.*values[i], value);
-    largest_.*values[i] = std::max(largest_.*values[i], value);
+
+ private:
+  static constexpr double columns = 1000.0;
+  static constexpr std::array values{
+      &studies::HistoryRow::base_displacement, &studies::HistoryRow::tip_displacement,
+      &studies::HistoryRow::midspan_displacement, &studies::HistoryRow::sliding_velocity,
+      &studies::HistoryRow::friction_force};
+
+  void end_column() {
+    if (!column_) return;
+    for (std::size_t i = 0; i < values.size(); ++i)
+      if (falls_[i]) std::swap(smallest_.*values[i], largest_.*values[i]);
+    falls_ = {};
+    largest_.state = smallest_.state;
+    text_ += csv_line(smallest_);
+    if (largest_.time > smallest_.time) text_ += csv_line(largest_);
+    column_.reset();
   }
-  largest_.time = row.time;
-  if (row.state == data::ContactState::slip) smallest_.state = row.state;
-}
 
-void HistoryDrawing::end_column() {
-  if (!column_) return;
-  for (std::size_t i = 0; i < values.size(); ++i)
-    if (falls_[i]) std::swap(smallest_.*values[i], largest_.*values[i]);
-  falls_ = {};
-  largest_.state = smallest_.state;
-  text_ += csv_line(smallest_);
-  if (largest_.time > smallest_.time) text_ += csv_line(largest_);
-  column_.reset();
-}
-
-std::string HistoryDrawing::text() {
-  end_column();
-  return text_;
-}
+  double from_, width_;  // s, of a column; 0: a column for each row
+  std::optional<double> column_;
+  studies::HistoryRow smallest_, largest_;   // largest_ has the time of the last row
+  std::array<bool, values.size()> falls_{};  // whether the smallest value comes after the largest one
+  std::string text_;
+};
 
 HistoryOutput::HistoryOutput(const data::Case& problem, const HistoryOptions& options, Outputs& outputs)
     : problem_(problem),
@@ -103,9 +124,11 @@ HistoryOutput::HistoryOutput(const data::Case& problem, const HistoryOptions& op
                 {"--figure", options.figure}});
   progress_ = &outputs.progress();
   if (!options.figure.empty())
-    drawing_.emplace(from_, to_,
-                     (to_ - from_) / (static_cast<double>(row_step_) * problem.numerics.time_step()));
+    drawing_ = std::make_unique<Drawing>(
+        from_, to_, (to_ - from_) / (static_cast<double>(row_step_) * problem.numerics.time_step()));
 }
+
+HistoryOutput::~HistoryOutput() = default;
 
 void HistoryOutput::add(const studies::HistoryRow& row, long step) {
   constexpr long between_looks = 1000;  // at the clock
@@ -124,7 +147,9 @@ void HistoryOutput::add(const studies::HistoryRow& row, long step) {
   if (row.time < from_ - rounding || row.time > to_ + rounding) return;
   // The header not before, so that an error in the problem writes nothing.
   outputs_.file("--output")
-      .write((rows_++ == 0 ? outputs_.heading("Motion of the tip") + column_names : "") + csv_line(row));
+      .write(
+          (rows_++ == 0 ? fmt::format("# {}\n{}", outputs_.heading("Motion of the tip"), column_names) : "") +
+          csv_line(row));
   if (drawing_) drawing_->add(row);
 }
 

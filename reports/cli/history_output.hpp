@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <atomic>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,39 +22,14 @@ struct HistoryOptions {
   std::string output = "-", events, spectrum, figure;
 };
 
-/// A drawing of a history in bounded memory: all rows or, of more than two for each of the columns of a figure, the
-/// smallest and the largest values in each column, in the order in which they come.
-class HistoryDrawing {
- public:
-  /// Of about so many rows, `from` to `to` (s).
-  HistoryDrawing(double from, double to, double rows);
-
-  void add(const studies::HistoryRow& row);
-
-  /// As CSV with the columns of the file.
-  [[nodiscard]] std::string text();
-
- private:
-  static constexpr double columns = 1000.0;
-  static constexpr std::array values{
-      &studies::HistoryRow::base_displacement, &studies::HistoryRow::tip_displacement,
-      &studies::HistoryRow::midspan_displacement, &studies::HistoryRow::sliding_velocity,
-      &studies::HistoryRow::friction_force};
-
-  void end_column();
-
-  double from_, width_;  // s, of a column; 0: a column for each row
-  std::optional<double> column_;
-  studies::HistoryRow smallest_, largest_;   // largest_ has the time of the last row
-  std::array<bool, values.size()> falls_{};  // whether the smallest value comes after the largest one
-  std::string text_;
-};
-
 /// Writes a history, its rows as they come.
 class HistoryOutput {
  public:
   /// Opens the files. Throws data::InputError for rows that a history cannot have, and as Outputs::open().
   HistoryOutput(const data::Case& problem, const HistoryOptions& options, Outputs& outputs);
+  ~HistoryOutput();
+  HistoryOutput(const HistoryOutput&) = delete;
+  HistoryOutput& operator=(const HistoryOutput&) = delete;
 
   /// Takes what comes each `step` time steps, the row step or a divisor of it. Throws data::InputError if a row that is written is
   /// not finite.
@@ -70,6 +45,8 @@ class HistoryOutput {
   [[nodiscard]] double largest_deflection() const { return largest_deflection_; }  ///< max |y(L) - h|, m
 
  private:
+  class Drawing;
+
   [[nodiscard]] std::string spectrum_text() const;
 
   const data::Case& problem_;
@@ -77,7 +54,7 @@ class HistoryOutput {
   report::Progress* progress_{};
   double from_, to_;
   long row_step_;
-  std::optional<HistoryDrawing> drawing_;
+  std::unique_ptr<Drawing> drawing_;
   std::size_t spectrum_rows_{};  // the last ones
   std::vector<double> tip_displacements_, friction_forces_;
 

@@ -34,7 +34,7 @@ struct MapOptions {
   bool dry_run{};
   std::optional<MapPart> shard;
   std::vector<std::string> merge;
-  MapFiles files;
+  std::string output = "-", figure;
 };
 
 // NAME or NAME,NAME...; none for the verdict.
@@ -136,13 +136,10 @@ void add_motion_options(CLI::App& command, MapOptions& options) {
 void add_output_options(CLI::App& command, MapOptions& options) {
   command.add_flag("--dry-run", options.dry_run,
                    "Write no map, but time some evaluations and print what the map will take");
-  command
-      .add_option("--output", options.files.output,
+  add_file_option(command, "--output", options.output,
                   "CSV file, '-' for standard output; what is finished of a long map is kept in "
-                  "FILE.partial, from which the same command goes on")
-      ->check(file_name())
-      ->capture_default_str();
-  add_figure_option(command, options.files.figure);
+                  "FILE.partial, from which the same command goes on");
+  add_figure_option(command, options.figure);
 }
 
 void add_options(CLI::App& command, MapOptions& options) {
@@ -170,12 +167,12 @@ void add_options(CLI::App& command, MapOptions& options) {
 
 Answer run(const MapOptions& options, Outputs& outputs) {
   if (options.dry_run) return cost_of_map(task_of(options), options.shard.value_or(MapPart()), outputs);
-  if (options.shard && options.files.output == "-")
+  if (options.shard && options.output == "-")
     throw data::InputError("--output is standard output, but --shard needs --output FILE");
-  if (!options.merge.empty()) return merged_map(options.merge, options.files, outputs);
-  const studies::MapTask task = task_of(options);
-  return options.shard ? part_of_map(task, *options.shard, options.files, outputs)
-                       : whole_map(task, options.files, outputs);
+  const auto task = options.merge.empty() ? std::optional(task_of(options)) : std::nullopt;
+  outputs.open({{"--output", options.output}, {"--figure", options.figure}});
+  if (!task) return merged_map(options.merge, outputs);
+  return options.shard ? part_of_map(*task, *options.shard, outputs) : whole_map(*task, outputs);
 }
 
 }  // namespace

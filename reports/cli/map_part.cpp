@@ -88,7 +88,7 @@ std::string part_row(const studies::MapTask& task, std::size_t number,
   std::string text = evaluation.unit_force
                          ? fmt::format("{},{},{},", number, data::shortest_text(evaluation.unit_force->lower),
                                        data::shortest_text(evaluation.unit_force->upper))
-                         : fmt::format("{},,,{}", number, report::to_string(evaluation.state));
+                         : fmt::format("{},,,{}", number, studies::name_of(evaluation.state));
   for (const auto& [value, change] : evaluation.response)
     text += fmt::format(",{},{}", data::shortest_text(value), data::shortest_text(change));
   if (evaluation.response.empty()) text.append(2 * task.quantities.size(), ',');
@@ -99,12 +99,11 @@ namespace {
 
 std::optional<studies::MapEvaluation> evaluation_in(std::span<const std::string_view> cells) {
   const auto number = [&](std::size_t column) { return parse<double>(cells[column]); };
-  const auto state = std::ranges::find(all_states, cells[3],
-                                       [](studies::CellState known) { return report::to_string(known); });
+  const auto state = std::ranges::find(all_states, cells[3], studies::name_of);
   if (state == all_states.end()) {
     if (!cells[3].empty() || !number(1) || !number(2)) return std::nullopt;
     return studies::MapEvaluation{.unit_force = analytic::Bounds{*number(1), *number(2)},
-                                  .state = studies::CellState::stick};
+                                  .state = analytic::Verdict::stick};
   }
   studies::MapEvaluation evaluation{.unit_force = {}, .state = *state};
   if (cells.size() == 4 || cells[4].empty()) return evaluation;

@@ -34,8 +34,8 @@ inline constexpr std::string_view closed_form_method = "closed-form", finite_ele
 inline constexpr std::size_t most_parts = 1'000'000;
 inline constexpr std::size_t largest_file = 500'000'000;  ///< bytes, more than the largest map takes
 
-inline constexpr std::array all_states{studies::CellState::stick, studies::CellState::stick_slip,
-                                       studies::CellState::no_stick_state};
+inline constexpr std::array<studies::CellState, 3> all_states{analytic::Verdict::stick,
+                                                              analytic::Verdict::stick_slip, std::nullopt};
 
 /// Part 1 ... `parts` of the evaluations of a map (studies::share_of).
 struct MapPart {
@@ -130,21 +130,14 @@ class UnfinishedMap {
   std::FILE* stream_{};
 };
 
-/// The files of a map: "-" is standard output, and an empty name no figure.
-struct MapFiles {
-  std::string output = "-", figure;
-};
-
-/// Makes the evaluations that no earlier run has left, and writes the map.
-[[nodiscard]] Answer whole_map(const studies::MapTask& task, const MapFiles& files, Outputs& outputs);
+/// Makes the evaluations that no earlier run has left, and writes the map to the open files of --output and --figure.
+[[nodiscard]] Answer whole_map(const studies::MapTask& task, Outputs& outputs);
 
 /// The same of one part, which is written as the evaluations that it is; one that is complete already is left alone.
-[[nodiscard]] Answer part_of_map(const studies::MapTask& task, const MapPart& part, const MapFiles& files,
-                                 Outputs& outputs);
+[[nodiscard]] Answer part_of_map(const studies::MapTask& task, const MapPart& part, Outputs& outputs);
 
 /// Writes the map that the files of all parts make.
-[[nodiscard]] Answer merged_map(const std::vector<std::string>& parts, const MapFiles& files,
-                                Outputs& outputs);
+[[nodiscard]] Answer merged_map(const std::vector<std::string>& parts, Outputs& outputs);
 
 /// Times some evaluations of a part and tells what all of them take. Writes nothing.
 [[nodiscard]] Answer cost_of_map(const studies::MapTask& task, const MapPart& part, Outputs& outputs);

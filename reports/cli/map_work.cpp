@@ -29,7 +29,7 @@ std::ptrdiff_t converged_cells(const studies::CriterionMap& map) {
   });
 }
 
-Json to_json(const studies::MapTask& task, const MapFiles& files) {
+Json to_json(const studies::MapTask& task, Outputs& outputs) {
   Json object;
   if (task.quantities.empty()) {
     object["method"] =
@@ -39,28 +39,29 @@ Json to_json(const studies::MapTask& task, const MapFiles& files) {
     object["transient_s"] = task.transient;
     object["tolerance"] = task.tolerance;
   }
-  object.update({{"x", axis_text(task.x)}, {"y", axis_text(task.y)}, {"output", files.output}});
+  object.update({{"x", axis_text(task.x)}, {"y", axis_text(task.y)}, {"output", outputs.path("--output")}});
   return object;
 }
 
-Answer answer_of(const studies::MapTask& task, const studies::CriterionMap& map, const MapFiles& files) {
+Answer answer_of(const studies::MapTask& task, const studies::CriterionMap& map, Outputs& outputs) {
   Answer answer;
-  Json object = to_json(task, files);
-  object.update(
-      {{"figure", files.figure.empty() ? Json() : Json(files.figure)}, {"cells", map.cells.size()}});
+  const std::string figure = outputs.path("--figure");
+  Json object = to_json(task, outputs);
+  object.update({{"figure", figure.empty() ? Json() : Json(figure)}, {"cells", map.cells.size()}});
   std::string counts;
-  for (const auto state : all_states) {
+  for (const auto& state : all_states) {
     const auto count = std::ranges::count(map.cells, state, &studies::CriterionMap::Cell::state);
-    object["states"][report::to_string(state)] = count;
-    counts += fmt::format("{}{} {}", counts.empty() ? "" : ", ", count, report::to_string(state));
+    object["states"][studies::name_of(state)] = count;
+    counts += fmt::format("{}{} {}", counts.empty() ? "" : ", ", count, studies::name_of(state));
   }
   if (!map.quantities.empty()) {
     object["converged"] = converged_cells(map);
     counts += fmt::format("; {} converged", converged_cells(map));
   }
-  answer.add_line(fmt::format("{} cells written to {}: {}", map.cells.size(), files.output, counts));
-  if (!files.figure.empty())
-    answer.add_line(fmt::format("Drawn in {}{}", files.figure,
+  answer.add_line(
+      fmt::format("{} cells written to {}: {}", map.cells.size(), outputs.path("--output"), counts));
+  if (!figure.empty())
+    answer.add_line(fmt::format("Drawn in {}{}", figure,
                                 map.quantities.size() > 1
                                     ? fmt::format(": {}, the first quantity", map.quantities.front()->name)
                                     : ""));
@@ -70,25 +71,26 @@ Answer answer_of(const studies::MapTask& task, const studies::CriterionMap& map,
   return answer;
 }
 
-Answer answer_of(const studies::MapTask& task, const MapPart& part, bool found, const MapFiles& files) {
+Answer answer_of(const studies::MapTask& task, const MapPart& part, bool found, Outputs& outputs) {
   const std::size_t all = studies::evaluation_count(task), count = part.numbers(all).size();
   Answer answer;
   answer.add_line(fmt::format("Shard {} of {}, {} of {} evaluations, {} {}", part.part, part.parts, count,
-                              all, found ? "is complete already in" : "written to", files.output));
-  answer.add_members(to_json(task, files));
+                              all, found ? "is complete already in" : "written to",
+                              outputs.path("--output")));
+  answer.add_members(to_json(task, outputs));
   answer.add_members(
       {{"shard", part.part}, {"shards", part.parts}, {"evaluations", count}, {"complete_already", found}});
   return answer;
 }
 
-Answer finish(const studies::MapTask& task, const studies::MapEvaluations& evaluations, const MapFiles& files,
-              Outputs& outputs, UnfinishedMap* unfinished = nullptr) {
+Answer finish(const studies::MapTask& task, const studies::MapEvaluations& evaluations, Outputs& outputs,
+              UnfinishedMap* unfinished = nullptr) {
   const studies::CriterionMap map = studies::criterion_map(task, evaluations);
   const report::CsvTable table = report::table_of(task.problem, map);
   outputs.write_table("--output", [&] { return table.text(); });
   if (unfinished != nullptr) unfinished->remove();
   outputs.draw(task.problem.name, [&](const report::Look& look) { return report::draw(table, map, look); });
-  return answer_of(task, map, files);
+  return answer_of(task, map, outputs);
 }
 
 // Nothing is kept of what goes to a pipe or a device.
@@ -100,12 +102,11 @@ fs::path unfinished_file(const std::string& output) {
 
 // Makes the evaluations of a part that an earlier run has not left.
 std::shared_ptr<UnfinishedMap> evaluate(const studies::MapTask& task, const MapPart& part,
-                                        const MapFiles& files, studies::MapEvaluations& evaluations,
-                                        Outputs& outputs) {
+                                        studies::MapEvaluations& evaluations, Outputs& outputs) {
   auto numbers = part.numbers(evaluations.size());
   const std::size_t count = numbers.size();
   const auto unfinished =
-      std::make_shared<UnfinishedMap>(unfinished_file(files.output), task, part, evaluations);
+      std::make_shared<UnfinishedMap>(unfinished_file(outputs.path("--output")), task, part, evaluations);
   report::Progress& progress = outputs.progress("", count);
   outputs.on_interrupt([unfinished, count] {
     if (unfinished->kept() > 0)
@@ -134,36 +135,33 @@ std::shared_ptr<UnfinishedMap> evaluate(const studies::MapTask& task, const MapP
 
 }  // namespace
 
-Answer whole_map(const studies::MapTask& task, const MapFiles& files, Outputs& outputs) {
+Answer whole_map(const studies::MapTask& task, Outputs& outputs) {
   outputs.about(task.problem);
-  outputs.open({{"--output", files.output}, {"--figure", files.figure}});
   studies::MapEvaluations evaluations(studies::evaluation_count(task));
-  const auto unfinished = evaluate(task, MapPart(), files, evaluations, outputs);
-  return finish(task, evaluations, files, outputs, unfinished.get());
+  const auto unfinished = evaluate(task, MapPart(), evaluations, outputs);
+  return finish(task, evaluations, outputs, unfinished.get());
 }
 
-Answer part_of_map(const studies::MapTask& task, const MapPart& part, const MapFiles& files,
-                   Outputs& outputs) {
+Answer part_of_map(const studies::MapTask& task, const MapPart& part, Outputs& outputs) {
   outputs.about(task.problem);
-  outputs.open({{"--output", files.output}, {"--figure", files.figure}});
-  const bool found = holds_part(files.output, task, part);
+  const std::string output = outputs.path("--output");
+  const bool found = holds_part(output, task, part);
   studies::MapEvaluations evaluations(studies::evaluation_count(task));
   if (found) {
-    if (const auto file = unfinished_file(files.output); fs::exists(file))  // killed as it ended
+    if (const auto file = unfinished_file(output); fs::exists(file))  // killed as it ended
       UnfinishedMap(file, task, part, evaluations).remove();
   } else {
-    const auto unfinished = evaluate(task, part, files, evaluations, outputs);
+    const auto unfinished = evaluate(task, part, evaluations, outputs);
     outputs.write("--output", [&] { return part_text(task, part, evaluations); });
     unfinished->remove();
   }
-  return answer_of(task, part, found, files);
+  return answer_of(task, part, found, outputs);
 }
 
-Answer merged_map(const std::vector<std::string>& parts, const MapFiles& files, Outputs& outputs) {
+Answer merged_map(const std::vector<std::string>& parts, Outputs& outputs) {
   const auto [task, evaluations] = merged(parts);
   outputs.about(task.problem);
-  outputs.open({{"--output", files.output}, {"--figure", files.figure}});
-  return finish(task, evaluations, files, outputs);
+  return finish(task, evaluations, outputs);
 }
 
 Answer cost_of_map(const studies::MapTask& task, const MapPart& part, Outputs& outputs) {

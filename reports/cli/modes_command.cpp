@@ -96,15 +96,11 @@ Answer modes(const ModesOptions& options, Outputs& outputs) {
 
 void add_options(CLI::App& command, ModesOptions& options) {
   add_case_options(command, options.problem);
-  command.add_option("--state", options.state, "Tip pinned to the wall, or sliding under the axial force")
-      ->check(one_of({"stick", "slip"}))
-      ->capture_default_str();
-  command.add_option("--method", options.method, "Of the continuous beam, or of its finite elements")
-      ->check(one_of({"closed-form", "fe"}))
-      ->capture_default_str();
-  command.add_option("--count", options.count, "How many, from the lowest")
-      ->check(integer_between(1, 1000))
-      ->capture_default_str();
+  add_choice_option(command, "--state", options.state, {"stick", "slip"},
+                    "Tip pinned to the wall, or sliding under the axial force");
+  add_choice_option(command, "--method", options.method, {"closed-form", "fe"},
+                    "Of the continuous beam, or of its finite elements");
+  add_integer_option(command, "--count", options.count, 1, 1000, "How many, from the lowest");
   add_figure_option(command, options.figure);
 }
 

@@ -56,6 +56,13 @@ void require_compatible(const std::vector<Outputs::Named>& files, bool is_json) 
 
 }  // namespace
 
+struct Outputs::Open {
+  explicit Open(const Named& named) : name(named), file(named.path) {}
+  Named name;
+  data::AtomicFile file;
+  bool is_written{};
+};
+
 Outputs::Outputs(const CLI::App& command)
     : command_(command.get_name()),
       is_json_(has_flag(command, "--json")),
@@ -65,6 +72,8 @@ Outputs::Outputs(const CLI::App& command)
   look_.title = text_of(command, "--title").value_or("");
   if (const auto size = text_of(command, "--size")) look_.size_cm = size_in(*size);
 }
+
+Outputs::~Outputs() = default;
 
 void Outputs::about(const data::Case& problem) {
   beam_ = beam_line(problem);
@@ -104,6 +113,11 @@ Outputs::Open* Outputs::find(std::string_view option) {
   return found == files_.end() ? nullptr : &*found;
 }
 
+std::string Outputs::path(std::string_view option) {
+  const Open* const open = find(option);
+  return open == nullptr ? "" : open->name.path;
+}
+
 data::AtomicFile& Outputs::file(std::string_view option) {
   if (Open* const open = find(option); open != nullptr) return open->file;
   throw std::logic_error(fmt::format("{} names no file", option));
@@ -116,7 +130,7 @@ void Outputs::commit(std::string_view option) {
 }
 
 std::string Outputs::heading(std::string_view title) const {
-  return fmt::format("# {}; {}, {}{}\n", title, program(), command_,
+  return fmt::format("{}; {}, {}{}", title, program(), command_,
                      head_.contains("problem") ? ", " + head_["problem"].dump() : "");
 }
 
@@ -132,9 +146,10 @@ void Outputs::write(std::string_view option, const std::function<std::string()>&
 
 void Outputs::write_table(std::string_view option, const std::function<std::string()>& text) {
   write(option, [&] {
-    const std::string whole = text();
-    const auto end = whole.find('\n');
-    return heading(whole.substr(2, end - 2)) + whole.substr(end + 1);
+    std::string whole = text();
+    constexpr std::size_t begin = 2;  // of the title
+    const std::size_t length = whole.find('\n') - begin;
+    return whole.replace(begin, length, heading(whole.substr(begin, length)));
   });
 }
 

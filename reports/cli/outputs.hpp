@@ -33,6 +33,7 @@ class Outputs {
 
   /// Of a subcommand whose arguments have been read.
   explicit Outputs(const CLI::App& command);
+  ~Outputs();
   Outputs(const Outputs&) = delete;
   Outputs& operator=(const Outputs&) = delete;
 
@@ -53,17 +54,20 @@ class Outputs {
 
   [[nodiscard]] bool has(std::string_view option) { return find(option) != nullptr; }
 
+  /// The name of the file of an option; empty if it has none.
+  [[nodiscard]] std::string path(std::string_view option);
+
   /// The file of an option that is given, to write in parts; commit() puts it in place.
   [[nodiscard]] data::AtomicFile& file(std::string_view option);
   void commit(std::string_view option);
 
-  /// The comment line that begins a table: its title, program and subcommand, and the numbers of the case if there is one.
+  /// The title that a table has in a file: with program and subcommand, and the numbers of the case if there is one.
   [[nodiscard]] std::string heading(std::string_view title) const;
 
   /// Writes the whole file of an option and puts it in place; without the option `text` is not called.
   void write(std::string_view option, const std::function<std::string()>& text);
 
-  /// The same for a table that begins with its title, "# TITLE", in place of which the file has heading(TITLE).
+  /// The same for a table that begins with its title, "# TITLE", which becomes heading(TITLE).
   void write_table(std::string_view option, const std::function<std::string()>& text);
 
   /// The same for --json FILE, with program, command and the case before the members of the answer.
@@ -85,12 +89,7 @@ class Outputs {
   void print(Answer answer);
 
  private:
-  struct Open {
-    explicit Open(const Named& named) : name(named), file(named.path) {}
-    Named name;
-    data::AtomicFile file;
-    bool is_written{};
-  };
+  struct Open;
 
   [[nodiscard]] Open* find(std::string_view option);
   [[nodiscard]] bool takes_standard_output() const;

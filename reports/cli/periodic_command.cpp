@@ -77,15 +77,11 @@ Answer periodic_motion(const PeriodicOptions& options, Outputs& outputs) {
 void add_options(CLI::App& command, PeriodicOptions& options) {
   add_case_options(command, options.problem);
   add_excitation_options(command, options.problem);
-  command.add_option("--periods", options.periods, "Periods of the base that the motion takes")
-      ->check(integer_between(1, 1000))
-      ->capture_default_str();
-  command
-      .add_option(
-          "--settle", options.settle,
-          "Periods of the base, or of the first mode where it does not move, before the motion is looked for")
-      ->check(integer_between(1, 100'000))
-      ->capture_default_str();
+  add_integer_option(command, "--periods", options.periods, 1, 1000,
+                     "Periods of the base that the motion takes");
+  add_integer_option(
+      command, "--settle", options.settle, 1, 100'000,
+      "Periods of the base, or of the first mode where it does not move, before the motion is looked for");
 }
 
 }  // namespace

@@ -74,6 +74,12 @@ ParameterRange parse_range(std::string_view option, std::string_view key, std::s
   return range_of(option, data::key_named(key), parts[0], parts[1], false, equal);
 }
 
+std::vector<double> parse_values(std::string_view option, std::string_view key, std::string_view text,
+                                 int count) {
+  const auto [from, to] = parse_range(option, key, text);
+  return studies::map_axis(key, from, to, count, false).values;
+}
+
 std::string axis_text(const studies::MapAxis& axis) {
   return fmt::format("{}={}:{}:{}{}", data::key_named(axis.parameter).axis.name,
                      data::shortest_text(axis.values.front()), data::shortest_text(axis.values.back()),
@@ -106,14 +112,17 @@ studies::MapAxis parse_axis(std::string_view option, std::string_view text) {
   return studies::map_axis(key.path, range.from, range.to, *count, logarithmic);
 }
 
-std::pair<std::string, double> parse_tolerance(const std::string& text) {
-  const auto equals = text.find('=');
-  const std::string number = equals == std::string::npos ? text : text.substr(equals + 1);
-  const auto value = parse<double>(number);
-  if (!value || equals == 0)
-    throw data::FieldError("--tolerance", fmt::format("'{}'", data::printable(text)),
-                           "a number or QUANTITY=NUMBER, as in frequency=1e-3");
-  return {equals == std::string::npos ? "" : text.substr(0, equals), *value};
+std::map<std::string, double> parse_tolerances(const std::vector<std::string>& texts) {
+  std::map<std::string, double> tolerances;
+  for (const std::string& text : texts) {
+    const auto equals = text.find('=');
+    const auto value = parse<double>(equals == std::string::npos ? text : text.substr(equals + 1));
+    if (!value || equals == 0)
+      throw data::FieldError("--tolerance", fmt::format("'{}'", data::printable(text)),
+                             "a number or QUANTITY=NUMBER, as in frequency=1e-3");
+    tolerances[equals == std::string::npos ? "" : text.substr(0, equals)] = *value;
+  }
+  return tolerances;
 }
 
 std::vector<std::pair<std::size_t, std::size_t>> parse_rows(const std::string& text) {

@@ -4,6 +4,7 @@
 /// Ranges as the command line takes them. All functions throw data::InputError, naming the option, the part
 /// that is wrong and what is allowed.
 
+#include <map>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -22,6 +23,10 @@ namespace stickslip::cli {
 [[nodiscard]] studies::ParameterRange parse_range(std::string_view option, std::string_view key,
                                                   std::string_view text, bool equal = false);
 
+/// So many values in equal steps from end to end of such a range.
+[[nodiscard]] std::vector<double> parse_values(std::string_view option, std::string_view key,
+                                               std::string_view text, int count);
+
 /// "PARAMETER=FROM:TO:COUNT" in equal steps, or "PARAMETER=FROM:TO:COUNT:log" in equal ratios; FROM may be 0
 /// in equal steps if the key may be. Throws data::InputError, too, for ends that no case may have.
 [[nodiscard]] studies::MapAxis parse_axis(std::string_view option, std::string_view text);
@@ -32,8 +37,8 @@ namespace stickslip::cli {
 /// The parameters that an axis may have: "length (beam.length, m), ...".
 [[nodiscard]] std::string axis_help();
 
-/// --tolerance "QUANTITY=VALUE", or "VALUE" for all, whose name is empty.
-[[nodiscard]] std::pair<std::string, double> parse_tolerance(const std::string& text);
+/// --tolerance "QUANTITY=VALUE", or "VALUE" for all, whose name is empty; the last of a quantity counts.
+[[nodiscard]] std::map<std::string, double> parse_tolerances(const std::vector<std::string>& texts);
 
 /// --rows "1:12,15".
 [[nodiscard]] std::vector<std::pair<std::size_t, std::size_t>> parse_rows(const std::string& text);

@@ -128,9 +128,7 @@ void add_name(CLI::App& command, ReferenceOptions& options) {
 
 void add_output(CLI::App& command, ReferenceOptions& options) {
   add_name(command, options);
-  command.add_option("--output", options.output, "File or folder, '-' for standard output")
-      ->check(file_name())
-      ->capture_default_str();
+  add_file_option(command, "--output", options.output, "File or folder, '-' for standard output");
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ void add_options(CLI::App& command, report::ReportOptions& options) {
   command
       .add_option("--tests", options.tests,
                   "Folder with GoogleTest's XML files of a test run, for the traceability matrix")
-      ->check(file_name())
+      ->check(folder())
       ->type_name("FOLDER");
   command
       .add_option("--only", options.only,

@@ -89,11 +89,8 @@ void add_options(CLI::App& command, RespondOptions& options) {
           "form of the stick state")
       ->check(one_of(studies::method_names()))
       ->capture_default_str();
-  command
-      .add_option("--initial-velocity", options.initial_velocity,
-                  "u_t(x,0): S(x) h_t(0), or the zero of the paper's text (an impulsive start)")
-      ->check(one_of({"quasi-static", "zero"}))
-      ->capture_default_str();
+  add_choice_option(command, "--initial-velocity", options.initial_velocity, {"quasi-static", "zero"},
+                    "u_t(x,0): S(x) h_t(0), or the zero of the paper's text (an impulsive start)");
   command
       .add_option("--scheme", options.scheme,
                   "When the contact changes: located inside the step, at the end of the step, or by the "
@@ -101,17 +98,12 @@ void add_options(CLI::App& command, RespondOptions& options) {
                   "(default: located)")
       ->check(one_of({"end-of-step", "located", "paper"}));
   add_duration_option(command, options.problem);
-  command.add_option("--output", options.history.output, "CSV file, '-' for standard output")
-      ->check(file_name())
-      ->capture_default_str();
-  command.add_option("--events", options.history.events, "CSV file for the changes of contact")
-      ->check(file_name());
-  command
-      .add_option(
-          "--spectrum", options.history.spectrum,
-          "CSV file for the amplitude spectra of tip and friction force, over the whole periods of the base "
-          "motion in the second half of the duration")
-      ->check(file_name());
+  add_file_option(command, "--output", options.history.output, "CSV file, '-' for standard output");
+  add_file_option(command, "--events", options.history.events, "CSV file for the changes of contact");
+  add_file_option(
+      command, "--spectrum", options.history.spectrum,
+      "CSV file for the amplitude spectra of tip and friction force, over the whole periods of the base "
+      "motion in the second half of the duration");
   add_figure_option(command, options.history.figure);
   auto* every =
       command

@@ -7,7 +7,6 @@
 #include <numbers>
 #include <optional>
 #include <string>
-#include <string_view>
 
 #include "case_options.hpp"
 #include "command.hpp"
@@ -15,7 +14,6 @@
 #include "range_text.hpp"
 #include "render/csv_table.hpp"
 #include "render/drawing.hpp"
-#include "studies/analyses/problem_warnings.hpp"
 
 namespace stickslip::cli {
 
@@ -107,12 +105,6 @@ Answer answer_of(const studies::Squeal& squeal, const studies::Cycle& cycle) {
   return answer;
 }
 
-std::vector<double> values_in(std::string_view option, std::string_view key, const std::string& text,
-                              int count) {
-  const auto [from, to] = parse_range(option, key, text);
-  return studies::map_axis(key, from, to, count, false).values;
-}
-
 // A damping ratio is that of the modes of the case, which with the deflection of the tip have one root more.
 void require_modes(const data::Case& problem, int modes) {
   const int most = problem.numerics.modes() + 1;
@@ -145,8 +137,8 @@ Answer steady_sliding(const SquealOptions& options, Outputs& outputs) {
   const studies::Squeal squeal = studies::squeal_of(problem, options.modes);
   std::vector<double> speeds, ratios;
   if (!options.map.empty()) {
-    speeds = values_in("--speeds", "wall.speed", options.speeds, options.count);
-    ratios = values_in("--ratios", "damping.ratio", options.ratios, options.count);
+    speeds = parse_values("--speeds", "wall.speed", options.speeds, options.count);
+    ratios = parse_values("--ratios", "damping.ratio", options.ratios, options.count);
     (void)data::Damping({.kelvin_voigt = problem.damping.kelvin_voigt(), .ratio = ratios.back()});
   }
   outputs.about(problem);
@@ -169,17 +161,11 @@ void add_options(CLI::App& command, SquealOptions& options) {
   add_case_options(command, options.problem);
   add_key_option(command, options.problem, "--speed", "wall.speed",
                  "Speed of the wall, m/s (else that of the case)");
-  command.add_option("--modes", options.modes, "Number of modes to print")
-      ->check(integer_between(1, 50))
-      ->capture_default_str();
-  command
-      .add_option("--settle", options.settle,
-                  "Periods of the first mode before the limit cycle is looked for")
-      ->check(integer_between(1, 100'000))
-      ->capture_default_str();
-  auto* map =
-      command.add_option("--map", options.map, "CSV file for the growth over speeds and damping ratios")
-          ->check(file_name());
+  add_integer_option(command, "--modes", options.modes, 1, 50, "Number of modes to print");
+  add_integer_option(command, "--settle", options.settle, 1, 100'000,
+                     "Periods of the first mode before the limit cycle is looked for");
+  auto* map = add_file_option(command, "--map", options.map,
+                              "CSV file for the growth over speeds and damping ratios");
   auto* speeds =
       command.add_option("--speeds", options.speeds, "Speeds of the map, m/s")->type_name("FROM:TO");
   auto* ratios =
@@ -187,10 +173,8 @@ void add_options(CLI::App& command, SquealOptions& options) {
   map->needs(speeds)->needs(ratios);
   speeds->needs(map);
   ratios->needs(map);
-  command.add_option("--count", options.count, "Values along each axis of the map")
-      ->check(integer_between(2, 500))
-      ->needs(map)
-      ->capture_default_str();
+  add_integer_option(command, "--count", options.count, 2, 500, "Values along each axis of the map")
+      ->needs(map);
   add_figure_option(command, options.figure, "Figure of the map");
 }
 

@@ -121,22 +121,13 @@ void add_options(CLI::App& command, SweepOptions& options) {
                   "PARAMETER=FROM:TO:COUNT, in equal steps, or with :log in equal ratios, as an axis of map")
       ->type_name("AXIS")
       ->capture_default_str();
-  command
-      .add_option("--direction", options.direction,
-                  "up, down, or both: up and then down; each value starts from the end of the one before")
-      ->check(one_of({"up", "down", "both"}))
-      ->capture_default_str();
-  command
-      .add_option("--settle", options.settle,
-                  "Periods of the base motion that pass at each value before the section")
-      ->check(integer_between(0, 1'000'000))
-      ->capture_default_str();
-  command.add_option("--periods", options.periods, "Periods at whose ends the section is taken")
-      ->check(integer_between(1, 100'000))
-      ->capture_default_str();
-  command.add_option("--output", options.output, "CSV file, '-' for standard output")
-      ->check(file_name())
-      ->capture_default_str();
+  add_choice_option(command, "--direction", options.direction, {"up", "down", "both"},
+                    "up, down, or both: up and then down; each value starts from the end of the one before");
+  add_integer_option(command, "--settle", options.settle, 0, 1'000'000,
+                     "Periods of the base motion that pass at each value before the section");
+  add_integer_option(command, "--periods", options.periods, 1, 100'000,
+                     "Periods at whose ends the section is taken");
+  add_file_option(command, "--output", options.output, "CSV file, '-' for standard output");
   add_figure_option(command, options.figure);
 }
 

@@ -188,8 +188,7 @@ Answer slip_probability(const UncertaintyOptions& given, Outputs& outputs) {
     const auto band = parse_range("--band", "excitation.frequency_hz", *options.band, true);
     options.sampling.band = analytic::FrequencyBand{band.from, band.to};
     problem.numerics = numerics_up_to(band.to, options.problem);
-    problem.excitation =
-        data::HarmonicExcitation({.frequency_hz = band.to, .amplitude = problem.excitation.amplitude()});
+    problem = data::with_value(problem, "excitation.frequency_hz", band.to);
   }
   const auto inquiry = options.band ? studies::Inquiry::design : studies::Inquiry::criterion;
   studies::require_feasible(problem, inquiry);
@@ -213,13 +212,10 @@ void add_options(CLI::App& command, UncertaintyOptions& options) {
           "case; undamped")
       ->type_name("FROM:TO")
       ->excludes("--hz");
-  command.add_option("--samples", options.sampling.samples, "Independent samples of the uncertain keys")
-      ->check(integer_between(1, 100'000'000))
-      ->capture_default_str();
-  command
-      .add_option("--seed", options.sampling.seed, "Of the random numbers: the same seed, the same answer")
-      ->check(integer_between(0, 1'000'000'000))
-      ->capture_default_str();
+  add_integer_option(command, "--samples", options.sampling.samples, 1, 100'000'000,
+                     "Independent samples of the uncertain keys");
+  add_integer_option(command, "--seed", options.sampling.seed, 0, 1'000'000'000,
+                     "Of the random numbers: the same seed, the same answer");
   add_threads_option(command);
   add_figure_option(command, options.figure, "Histogram of the margins");
 }

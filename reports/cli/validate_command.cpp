@@ -83,14 +83,14 @@ Answer validated(const ValidateOptions& options, Outputs& outputs) {
 }
 
 void add_options(CLI::App& command, ValidateOptions& options) {
-  const auto file = [&](const char* name, std::string& value, const char* help) {
-    return command.add_option(name, value, help)->check(file_name());
-  };
-  auto* raw =
-      file("--raw", options.raw, "Folder with the raw records: reads the measured values off them again");
-  file("--readings", options.readings, "CSV file for the values read off the raw records")->needs(raw);
-  file("--predictions", options.predictions, "CSV file for what the models predict now");
-  file("--output", options.output, "CSV file for the comparisons");
+  auto* raw = command
+                  .add_option("--raw", options.raw,
+                              "Folder with the raw records: reads the measured values off them again")
+                  ->check(folder());
+  add_file_option(command, "--readings", options.readings, "CSV file for the values read off the raw records")
+      ->needs(raw);
+  add_file_option(command, "--predictions", options.predictions, "CSV file for what the models predict now");
+  add_file_option(command, "--output", options.output, "CSV file for the comparisons");
   add_json_option(command);
   add_figure_option(command, options.figure, "Figure of the intervals E +- 2 u_val");
 }

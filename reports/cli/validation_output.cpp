@@ -51,23 +51,20 @@ CLI::Option* add_own_options(CLI::App& command, OwnComparison& options) {
                          "Compare with this case: NAME is a CSV file with the columns quantity "
                          "(stick_frequency, slip_frequency, "
                          "critical_amplitude), at (mode, or Hz), value (Hz, m) and half_width (of 95 %)");
-  command.add_option("--samples", options.samples, "Of the uncertain keys of that case")
-      ->check(integer_between(2, 1'000'000))
-      ->needs(problem)
-      ->capture_default_str();
-  command.add_option("--json", options.json, "JSON file with all numbers, '-' for standard output")
-      ->check(file_name());
+  add_integer_option(command, "--samples", options.samples, 2, 1'000'000,
+                     "Of the uncertain keys of that case")
+      ->needs(problem);
+  add_file_option(command, "--json", options.json, "JSON file with all numbers, '-' for standard output");
   command.add_flag("--quiet", options.quiet, "Print nothing");
   return problem;
 }
 
 Answer compared_with_case(const std::string& file, const OwnComparison& options, Outputs& outputs) {
   if (file.empty()) throw CLI::RequiredError("NAME");
-  const auto measurements = studies::read_measurements(file);
   const auto problem = data::find_case(options.problem);
   outputs.open({{"the table", options.quiet || options.json == "-" ? "" : "-"}, {"--json", options.json}});
   const studies::CaseComparison result =
-      studies::compare_with_case(problem, measurements, options.samples, std::ref(outputs.progress()));
+      studies::compare_with_case(problem, file, options.samples, std::ref(outputs.progress()));
   Answer answer;
   answer.add_members({{"file", file},
                       {"case", options.problem},

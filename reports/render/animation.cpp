@@ -54,17 +54,14 @@ studies::History motion_of(const data::Case& problem, const AnimationOptions& op
 }
 
 // Frames first ... last - 1, `positions` rows each.
-CsvTable table_of(const data::Case& problem, const studies::History& motion,
+CsvTable table_of(const std::string& title, const studies::History& motion,
                   const std::vector<double>& position, std::size_t first, std::size_t last) {
-  CsvTable table(
-      fmt::format("Motion of the beam at {} Hz, {} m", data::shortest_text(problem.excitation.frequency_hz()),
-                  data::shortest_text(problem.excitation.amplitude())),
-      {{"frame", "1"},
-       {"time_s", "s"},
-       {"tip_sticks", "1"},
-       {"friction_force_N", "N"},
-       {"position_m", "m"},
-       {"displacement_m", "m"}});
+  CsvTable table(title, {{"frame", "1"},
+                         {"time_s", "s"},
+                         {"tip_sticks", "1"},
+                         {"friction_force_N", "N"},
+                         {"position_m", "m"},
+                         {"displacement_m", "m"}});
   for (std::size_t i = first; i < last; ++i) {
     const studies::HistoryRow& row = motion.rows[i];
     const double sticks = row.state == data::ContactState::stick ? 1.0 : 0.0;
@@ -100,7 +97,7 @@ std::vector<fs::path> drawn_frames(const data::Case& problem, const studies::His
     progress(static_cast<double>(first) / static_cast<double>(frames));
     progress.stage(fmt::format("drawing frames {} to {} of {}", first + 1, last, frames));
     data::write_text(output.scratch() / "frames.csv",
-                     table_of(problem, motion, position, first, last).text());
+                     table_of("Motion of the beam", motion, position, first, last).text());
     auto values = values_of(problem, motion);
     values.push_back({"first_frame", static_cast<double>(first + 1), "1"});
     values.push_back({"last_frame", static_cast<double>(last), "1"});
@@ -145,8 +142,8 @@ void write_animation(const data::Case& problem, const AnimationOptions& options)
   const studies::Sampling sampling =
       studies::snapshots_of(problem, 0.0, problem.numerics.duration(), options.frames, positions);
   const studies::History motion = motion_of(problem, options, sampling);
-  const std::string rows = table_of(problem, motion, sampling.positions, 0, motion.rows.size()).text();
-  output.write("motion.csv", options.heading + rows.substr(rows.find('\n') + 1));
+  output.write("motion.csv",
+               table_of(options.title, motion, sampling.positions, 0, motion.rows.size()).text());
   has_motion = !film;
   const std::vector<fs::path> frames = drawn_frames(problem, motion, sampling.positions, progress, output);
   if (film) {

@@ -13,7 +13,7 @@ struct AnimationOptions {
   const studies::Method* method{};
   int frames{};                  ///< 2 ... most_frames, evenly over numerics.duration(), its ends included
   std::filesystem::path output;  ///< folder of the frames, made if missing, or a film, a .gif file
-  std::string heading;           ///< the comment line that begins motion.csv
+  std::string title;             ///< of motion.csv
   bool quiet{};                  ///< no progress on standard error
 };
 

@@ -117,7 +117,7 @@ CsvTable table_of(const data::Case& problem, const studies::CriterionMap& map) {
       table.add(at_x).add(at_y);
       if (has_ratio) table.add(cell->force_ratio);
       for (std::size_t q = 0; q < map.quantities.size(); ++q) add(table, *cell, q, map.tolerance);
-      table.add(to_string(cell->state)).end_row();
+      table.add(studies::name_of(cell->state)).end_row();
       ++cell;
     }
     table.end_grid_line();
@@ -132,6 +132,20 @@ FigureData figure_of(const data::Case& problem, const studies::CriterionMap& map
 std::string draw(const CsvTable& table, const studies::CriterionMap& map, const Look& look) {
   return drawing_of("map", look,
                     {{"map.csv", table.text()}, {"map-values.csv", values_table(values_of(map)).text()}});
+}
+
+std::string draw(const data::Case& problem, const studies::CriticalAmplitudeCurve& curve, const Look& look) {
+  CsvTable table("Critical amplitude of the case " + problem.name,
+                 {{"frequency", "Hz"}, {"critical_amplitude", "m"}});
+  CsvTable marks("Natural frequencies of the stick state", {{"frequency", "Hz"}});
+  for (std::size_t i = 0; i < curve.hz.size(); ++i) table.add_numbers({curve.hz[i], curve.amplitudes[i]});
+  for (const double hz : curve.natural_hz) marks.add_numbers({hz});
+  const auto values = values_table({{"excitation_frequency", problem.excitation.frequency_hz(), "Hz"},
+                                    {"excitation_amplitude", problem.excitation.amplitude(), "m"}});
+  return drawing_of("criterion", look,
+                    {{"criterion.csv", table.text()},
+                     {"criterion-natural.csv", marks.text()},
+                     {"criterion-values.csv", values.text()}});
 }
 
 std::string draw(const comparison::Comparison& comparison, const Look& look) {

@@ -8,11 +8,10 @@
 #include "render/csv_table.hpp"
 #include "render/drawing.hpp"
 #include "stickslip/data/problem.hpp"
+#include "studies/analyses/criterion_answer.hpp"
 #include "studies/analyses/criterion_map.hpp"
 
 namespace stickslip::report {
-
-using studies::to_string;
 
 /// The column and the unit of a key that may be an axis.
 [[nodiscard]] CsvColumn column_of(std::string_view parameter);
@@ -26,6 +25,10 @@ using studies::to_string;
 
 /// The map drawn by gnuplot (figures/map.gp) from its table, as the bytes of a file. Throws std::runtime_error if gnuplot is missing or fails.
 [[nodiscard]] std::string draw(const CsvTable& table, const studies::CriterionMap& map, const Look& look);
+
+/// The critical amplitude over the frequency, drawn by gnuplot (figures/criterion.gp), as draw() of a map.
+[[nodiscard]] std::string draw(const data::Case& problem, const studies::CriticalAmplitudeCurve& curve,
+                               const Look& look);
 
 /// A comparison drawn by gnuplot (figures/comparison.gp), as the bytes of a file: for each quantity with
 /// points the reference with its band and theirs, and below them the difference with what is allowed.

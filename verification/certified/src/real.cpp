@@ -254,7 +254,6 @@ Real cos(const Real& x) { return rounded(arb_cos, x); }
 Real tan(const Real& x) { return rounded(arb_tan, x); }
 Real sinh(const Real& x) { return rounded(arb_sinh, x); }
 Real cosh(const Real& x) { return rounded(arb_cosh, x); }
-Real tanh(const Real& x) { return rounded(arb_tanh, x); }
 Real sinc(const Real& x) { return rounded(arb_sinc, x); }
 
 Real abs(const Real& x) {

@@ -216,7 +216,7 @@ Real flutter_factor() {
   }
 }
 
-std::vector<SlipFrequency> slip_frequencies(const Beam& beam, int count) {
+std::vector<Real> slip_frequencies(const Beam& beam, int count) {
   if (count < 1 || count > 1000)
     throw std::invalid_argument("numerics.modes is " + std::to_string(count) + "; it must be 1 ... 1000.");
   const Real z = beam.load_factor(), flutter = flutter_factor();
@@ -238,19 +238,16 @@ std::vector<SlipFrequency> slip_frequencies(const Beam& beam, int count) {
                           sign == 0 ? wave_numbers(x, load) : wave_numbers_down_to_zero(x, load, sign));
   };
   const Real last = 2 * pairs * pi();
-  const std::vector<Real> roots =
+  std::vector<Real> frequencies =
       isolate_roots(function, sign == 0 ? 1 : 0, (last * sqrt(pow(last, 2) - z)).midpoint());
-  if (roots.size() != 2 * static_cast<std::size_t>(pairs))
+  if (frequencies.size() != 2 * static_cast<std::size_t>(pairs))
     throw std::domain_error(error_message("beam.axial_force", beam.data().axial_force,
                                           "such that the slip frequencies are real; of the first " +
                                               std::to_string(2 * pairs) + " only " +
-                                              std::to_string(roots.size()) + " are"));
+                                              std::to_string(frequencies.size()) + " are"));
 
-  std::vector<SlipFrequency> frequencies;
-  for (int n = 1; n <= count; ++n) {
-    const Real omega = roots[static_cast<std::size_t>(n) - 1] * beam.frequency_unit();
-    frequencies.push_back({n, omega, omega / (2 * pi())});
-  }
+  frequencies.resize(static_cast<std::size_t>(count));
+  for (Real& frequency : frequencies) frequency *= beam.frequency_unit();
   return frequencies;
 }
 

@@ -75,7 +75,7 @@ std::vector<Sinusoid> StickResponse::force_sinusoids() const {
   return sinusoids;
 }
 
-Mobility tip_mobility(const Beam& beam, const Real& sigma, const Real& omega, const Rational& kelvin_voigt) {
+Complex tip_mobility(const Beam& beam, const Real& sigma, const Real& omega, const Rational& kelvin_voigt) {
   if (kelvin_voigt.sign() < 0)
     throw std::invalid_argument(error_message("damping.kelvin_voigt", kelvin_voigt, "0 or more"));
   const Complex s(sigma, omega), length = beam.length(), force = beam.axial_force();
@@ -91,8 +91,7 @@ Mobility tip_mobility(const Beam& beam, const Real& sigma, const Real& omega, co
   const Complex denominator = l1_squared * l1_squared + l2_squared * l2_squared -
                               2 * l1_squared * l2_squared * c1 * c2 +
                               l1 * l2 * (l1_squared + l2_squared) * s1 * s2;
-  const Complex mobility = numerator / (rigidity * denominator);
-  return {mobility.real(), mobility.imaginary()};
+  return numerator / (rigidity * denominator);
 }
 
 }  // namespace stickslip::certified

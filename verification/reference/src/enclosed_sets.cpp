@@ -105,8 +105,9 @@ DataSet slip_frequencies() {
   const PrecisionScope scope(bits);
   for (const NamedBeam& named : beams()) {
     if (!(named.beam.load_factor() < certified::flutter_factor())) continue;
-    for (const certified::SlipFrequency& mode : certified::slip_frequencies(named.beam, mode_count))
-      add_row(set, {named.name, mode.number, enclosed(mode.frequency_hz)});
+    int mode = 0;
+    for (const Real& omega : certified::slip_frequencies(named.beam, mode_count))
+      add_row(set, {named.name, ++mode, enclosed(omega / (2 * certified::pi()))});
   }
   return set;
 }

@@ -17,7 +17,6 @@
 #include <string_view>
 #include <vector>
 
-#include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/damped_reaction.hpp"
 #include "stickslip/analytic/force_maximum.hpp"
 #include "stickslip/analytic/modal_reaction.hpp"
@@ -26,6 +25,8 @@
 #include "studies/common/parallel.hpp"
 
 namespace stickslip::studies {
+
+using analytic::Verdict;
 
 namespace {
 
@@ -151,11 +152,11 @@ class Responses {
   }
 
   [[nodiscard]] MapEvaluation at(const data::Case& point) const {
-    MapEvaluation evaluation{.unit_force = {}, .state = CellState::stick};
+    MapEvaluation evaluation{.unit_force = {}, .state = Verdict::stick};
     try {
       const ContactResponse response =
           contact_response(point, task_.transient, common_ ? &*common_ : nullptr);
-      if (response.slips) evaluation.state = CellState::stick_slip;
+      if (response.slips) evaluation.state = Verdict::stick_slip;
       for (const MotionQuantity* quantity : task_.quantities)
         evaluation.response.push_back(response[*quantity]);
     } catch (const analytic::InseparableModes&) {
@@ -189,7 +190,7 @@ void complete(CriterionMap::Cell& cell, const MapEvaluation& evaluation, const F
   const double ratio = factors.amplitude * evaluation.unit_force->midpoint() / limit;
   if (!std::isfinite(ratio)) data::throw_overflow("a force ratio of the map is not finite");
   if (!states_only) cell.force_ratio = ratio;
-  if (factors.amplitude * evaluation.unit_force->lower > limit) cell.state = CellState::stick_slip;
+  if (factors.amplitude * evaluation.unit_force->lower > limit) cell.state = Verdict::stick_slip;
 }
 
 struct Seconds {
@@ -273,13 +274,12 @@ void evaluate(const MapTask& task, std::span<const std::size_t> numbers, MapEval
     responses.emplace(task);
   const auto evaluation_at = [&](std::size_t number) -> MapEvaluation {
     const data::Case point = case_at(task, number % columns, number / columns);
-    if (may_be_buckled && is_buckled(point.beam))
-      return {.unit_force = {}, .state = CellState::no_stick_state};
+    if (may_be_buckled && is_buckled(point.beam)) return {.unit_force = {}, .state = std::nullopt};
     analytic::require_contact(point.beam);
     if (responses) return responses->at(point);
     if (decide_only)
-      return {.unit_force = {}, .state = forces->slips(point) ? CellState::stick_slip : CellState::stick};
-    return {.unit_force = forces->unit_force(point), .state = CellState::stick};
+      return {.unit_force = {}, .state = forces->slips(point) ? Verdict::stick_slip : Verdict::stick};
+    return {.unit_force = forces->unit_force(point), .state = Verdict::stick};
   };
   in_parallel_settling(
       numbers.size(), [&](std::size_t i) { evaluations[numbers[i]] = evaluation_at(numbers[i]); },

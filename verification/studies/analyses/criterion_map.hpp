@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -9,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "stickslip/analytic/force_maximum.hpp"
+#include "stickslip/analytic/criterion.hpp"
 #include "stickslip/data/problem.hpp"
 #include "studies/analyses/contact_response.hpp"
 #include "studies/common/members.hpp"
@@ -23,16 +22,11 @@ enum class MapMethod {
   finite_elements  ///< one linear run with a bonded tip, |f_max| over its time steps
 };
 
-/// The state of a cell of the map.
-enum class CellState {
-  stick,
-  stick_slip,
-  no_stick_state  ///< P is not below the buckling load 20.19 EI/L² of the clamped-pinned beam
-};
+/// The state of a cell of the map; nothing if P is not below the buckling load 20.19 EI/L² of the clamped-pinned beam.
+using CellState = std::optional<analytic::Verdict>;
 /// "stick", "stick-slip" or "no stick state".
-[[nodiscard]] constexpr std::string_view to_string(CellState state) noexcept {
-  constexpr std::array<std::string_view, 3> names{"stick", "stick-slip", "no stick state"};
-  return names[static_cast<std::size_t>(state)];
+[[nodiscard]] inline std::string_view name_of(const CellState& state) noexcept {
+  return state ? to_string(*state) : "no stick state";
 }
 
 /// The key that an axis of a map varies, "beam.length", and its values in ascending order.
@@ -48,7 +42,7 @@ struct CriterionMap {
     double x{}, y{};
     /// |f_max| / (μ_s P); empty without a stick state or if not asked for.
     std::optional<double> force_ratio;
-    /// stick_slip if the ratio is above 1 or, with quantities, if the tip slips after the transient
+    /// Stick-slip if the ratio is above 1 or, with quantities, if the tip slips after the transient.
     CellState state{};
     std::vector<ResponseValue> response;  ///< of the quantities; empty without a stick state
   };

@@ -20,6 +20,11 @@ namespace stickslip::studies {
 
 namespace {
 
+struct OwnMeasurement {
+  std::string quantity;
+  double at{}, value{}, half_width{};
+};
+
 bool is_frequency(const OwnMeasurement& one) {
   return one.quantity == "stick_frequency" || one.quantity == "slip_frequency";
 }
@@ -76,8 +81,6 @@ std::pair<double, std::size_t> spread_of(const data::Case& problem, const data::
   return {std::sqrt(square), samples - values.size()};
 }
 
-}  // namespace
-
 std::vector<OwnMeasurement> read_measurements(const std::filesystem::path& file) {
   const std::string text = data::read_table_text(file);
   data::CsvReader reader(file, text);
@@ -109,25 +112,28 @@ std::vector<OwnMeasurement> read_measurements(const std::filesystem::path& file)
   return all;
 }
 
-CaseComparison compare_with_case(const std::filesystem::path& file,
-                                 const std::vector<OwnMeasurement>& measurements, std::size_t samples,
+}  // namespace
+
+CaseComparison compare_with_case(const std::filesystem::path& case_file,
+                                 const std::filesystem::path& measurements, std::size_t samples,
                                  const std::function<void(double)>& progress) {
-  const data::Uncertainty uncertainty = data::read_uncertainty(file);
+  const std::vector<OwnMeasurement> all = read_measurements(measurements);
+  const data::Uncertainty uncertainty = data::read_uncertainty(case_file);
   for (const auto& key : uncertainty.keys)
     if (key.key == "excitation.frequency_hz" || key.key.starts_with("contact."))
       throw data::FieldError(key.place, key.key,
                              "certain here: the file of the measurement says at which frequency");
   CaseComparison result;
   result.has_uncertainty = !uncertainty.keys.empty();
-  for (const OwnMeasurement& one : measurements) {
+  for (const OwnMeasurement& one : all) {
     std::vector<data::Override> overrides;
     if (!is_frequency(one))
       overrides.push_back({"excitation.frequency_hz", data::shortest_text(one.at), "the column at"});
-    const data::Case problem = data::read_case(file, overrides);
+    const data::Case problem = data::read_case(case_file, overrides);
     data::require_rigid(problem.contact, "a frequency or critical amplitude; respond takes it");
     const auto [value, numerical] = predicted(problem, one);
     const auto before = static_cast<double>(result.comparisons.size()),
-               rows = static_cast<double>(measurements.size());
+               rows = static_cast<double>(all.size());
     std::pair<double, std::size_t> spread;
     if (result.has_uncertainty)
       spread = spread_of(problem, uncertainty, one, samples, [&](double share) {

@@ -229,7 +229,8 @@ const std::vector<double> kLoadFactors{-1e4, -0.9 * buckling_factor, -0.1 * buck
                                        15.0, 0.99 * buckling_factor};
 
 STICKSLIP_VERIFIES(StickModes, "A2");
-TEST(StickModes, RayleighQuotientReturnsTheRoot) {
+// Of the norms: a wrong root has a wrong shape at the clamp, below.
+TEST(StickModes, NormsGiveTheFrequencyByRayleighsQuotient) {
   for (const double factor : kLoadFactors)
     for (const data::Beam beam = paper_beam_with_load_factor(factor);
          const StickMode& mode : stick_modes(beam, 50)) {

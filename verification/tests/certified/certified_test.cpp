@@ -100,7 +100,6 @@ TEST(CertifiedReal, FunctionsKeepTheirIdentitiesOnBalls) {
     EXPECT_TRUE(vanishes(pow(sin(x), 2) + pow(cos(x), 2) - 1));
     EXPECT_TRUE(vanishes((pow(cosh(x), 2) - pow(sinh(x), 2) - 1)));
     EXPECT_TRUE(vanishes(tan(x) - sin(x) / cos(x)));
-    EXPECT_TRUE(vanishes(tanh(x) - sinh(x) / cosh(x)));
     EXPECT_TRUE(vanishes(exp(x) * exp(-x) - 1));
     EXPECT_TRUE(vanishes(pow(sqrt(abs(x)), 2) - abs(x)));
     EXPECT_TRUE(vanishes(sinc(x) * x - sin(x)));
@@ -311,8 +310,8 @@ TEST(CertifiedSlipModes, FlutterWhereBeckHasIt) {
   EXPECT_TRUE(has_digits(flutter_factor(), "20.050953"));
   EXPECT_GT(flutter_factor().accurate_bits(), 200);
   const auto below = slip_frequencies(unit_beam("20.0509536"), 2);
-  EXPECT_TRUE(below[0].angular_frequency < below[1].angular_frequency);
-  EXPECT_TRUE(below[1].angular_frequency - below[0].angular_frequency < Real(0.01));
+  EXPECT_TRUE(below[0] < below[1]);
+  EXPECT_TRUE(below[1] - below[0] < Real(0.01));
   expect_error_message<std::domain_error>([] { (void)slip_frequencies(unit_beam("20.0509537"), 2); },
                                           {"below the flutter load of the slip state, 20.0509536189737"});
   expect_error_message<std::domain_error>([] { (void)slip_frequencies(unit_beam("1000"), 2); },
@@ -374,12 +373,12 @@ TEST(CertifiedTipMobility, IsThePublishedReceptanceWithoutAxialForce) {
   // Y(i omega) = i omega (sin b cosh b - cos b sinh b)/[b^3 (1 + cos b cosh b)], b^2 = omega (Bishop and
   // Johnson 1960), of a beam of unit length, stiffness and mass.
   for (const char* omega : {"1e-3", "1", "10", "1e6"}) {
-    const Mobility y = tip_mobility(unit_beam("0"), 0, Rational(omega));
+    const Complex y = tip_mobility(unit_beam("0"), 0, Rational(omega));
     const Real b = sqrt(Real(Rational(omega)));
     const Real expected =
         b * b * (sin(b) * cosh(b) - cos(b) * sinh(b)) / (pow(b, 3) * (1 + cos(b) * cosh(b)));
-    EXPECT_TRUE(vanishes(y.real)) << omega;
-    EXPECT_TRUE(vanishes(y.imaginary / expected - 1)) << omega;
+    EXPECT_TRUE(vanishes(y.real())) << omega;
+    EXPECT_TRUE(vanishes(y.imaginary() / expected - 1)) << omega;
   }
 }
 
@@ -388,11 +387,11 @@ TEST(CertifiedTipMobility, ChangesSignInEveryFrequencyBall) {
     const Beam beam = paper_beam(force);
     const auto changes = [&](const Real& omega) {
       const Real step = Rational("1e-40");
-      return tip_mobility(beam, 0, omega - step).imaginary.certain_sign() *
-                 tip_mobility(beam, 0, omega + step).imaginary.certain_sign() ==
+      return tip_mobility(beam, 0, omega - step).imaginary().certain_sign() *
+                 tip_mobility(beam, 0, omega + step).imaginary().certain_sign() ==
              -1;
     };
-    for (const auto& mode : slip_frequencies(beam, 4)) EXPECT_TRUE(changes(mode.angular_frequency)) << force;
+    for (const Real& omega : slip_frequencies(beam, 4)) EXPECT_TRUE(changes(omega)) << force;
     for (const auto& mode : certified::stick_modes(beam, 4))
       EXPECT_TRUE(changes(mode.angular_frequency)) << force;
     EXPECT_FALSE(changes(Real(40)));
@@ -406,10 +405,10 @@ TEST(CertifiedTipMobility, NestsUnderRefinementAndExcludesAWrongDigit) {
   };
   for (const char* force : {"-9000", "0", "500", "80000"})
     for (const char* eta : {"0", "6.4e-5"}) {
-      const Mobility coarse = at(128, force, eta), fine = at(256, force, eta);
+      const Complex coarse = at(128, force, eta), fine = at(256, force, eta);
       const Real wrong = 1 + Real(Rational("1e-30"));
       for (const auto& [few, many] :
-           {std::pair{coarse.real, fine.real}, std::pair{coarse.imaginary, fine.imaginary}}) {
+           {std::pair{coarse.real(), fine.real()}, std::pair{coarse.imaginary(), fine.imaginary()}}) {
         EXPECT_TRUE(few.contains(many)) << force;
         EXPECT_GT(few.accurate_bits(), 100) << force;
         EXPECT_GT(many.accurate_bits(), 228) << force;
@@ -419,7 +418,7 @@ TEST(CertifiedTipMobility, NestsUnderRefinementAndExcludesAWrongDigit) {
 }
 
 TEST(CertifiedTipMobility, IsNotFiniteWhereTheFormIsZeroByZero) {
-  for (const int s : {0, 2}) EXPECT_FALSE(tip_mobility(unit_beam("4"), s, 0).real.is_finite()) << s;
+  for (const int s : {0, 2}) EXPECT_FALSE(tip_mobility(unit_beam("4"), s, 0).real().is_finite()) << s;
   expect_error_message<std::invalid_argument>([] { (void)tip_mobility(paper_beam(), 1, 0, "-1"); },
                                               {"damping.kelvin_voigt is -1; it must be 0 or more"});
 }

@@ -72,9 +72,15 @@ TEST_F(ReferenceCommand, RefusesAPackageThatHasBeenAltered) {
   std::filesystem::resize_file("package/datapackage.json", 10'000'001);
   expect_refused("reference show beams --package package",
                  "datapackage.json: is larger than the 10000000 bytes that are allowed");
-  expect_refused("reference list --package none", "datapackage.json: cannot be opened");
+  expect_refused("reference list --package none", "--package is none, but must be a folder that exists");
   expect_refused("reference show --package '" + fixture + "'", "NAME is required");
   expect_refused("reference", "a subcommand of reference, one of list, show, export, is required");
+}
+
+TEST_F(CommandLine, ComparesTwoRunsWithoutADataPackage) {
+  EXPECT_EQ(run("respond paper --duration 0.2 --output run.csv").status, 0);
+  const Outcome outcome = run("compare run.csv run.csv --package .");
+  EXPECT_EQ(outcome.status, 0) << outcome.errors;
 }
 
 using MeasurementOfACase = Drawing;

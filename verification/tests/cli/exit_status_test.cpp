@@ -52,7 +52,7 @@ bool keeps_its_file(const Error& error) {
                               .x = studies::map_axis("excitation.frequency_hz", 1.0, 2.0, 2, false),
                               .y = studies::map_axis("beam.length", 1.0, 2.0, 2, false)};
   studies::MapEvaluations evaluations(studies::evaluation_count(task));
-  evaluations[0] = studies::MapEvaluation{.unit_force = {}, .state = studies::CellState::stick};
+  evaluations[0] = studies::MapEvaluation{.unit_force = {}, .state = analytic::Verdict::stick};
   {
     UnfinishedMap unfinished(file, task, MapPart(), evaluations);
     EXPECT_THROW(unfinished.remove_if_impossible([&] {

@@ -64,16 +64,11 @@ class Complex {
 //     Y(s) = s u(L)/F = s (l_1² - l_2²) (C_1 S_2/l_2 - C_2 S_1/l_1)
 //                       /{D [l_1⁴ + l_2⁴ - 2 l_1² l_2² C_1 C_2 + l_1 l_2 (l_1² + l_2²) S_1 S_2]}.
 
-/// The mobility as a complex number.
-struct Mobility {
-  Real real, imaginary;  ///< m/(N s)
-};
-
-/// Y(σ + i ω), with σ and ω in 1/s, η in s, and P of either sign. The radius increases
+/// Y(σ + i ω), m/(N s), with σ and ω in 1/s, η in s, and P of either sign. The radius increases
 /// where the terms cancel: near s = 0, near l_1 = l_2 (4 D ρ A s² = P²), and near the poles. It is
 /// infinite if the ball contains such a point. Throws std::invalid_argument, naming damping.kelvin_voigt, if
 /// that is negative.
-[[nodiscard]] Mobility tip_mobility(const Beam& beam, const Real& sigma, const Real& omega,
-                                    const Rational& kelvin_voigt = "0");
+[[nodiscard]] Complex tip_mobility(const Beam& beam, const Real& sigma, const Real& omega,
+                                   const Rational& kelvin_voigt = "0");
 
 }  // namespace stickslip::certified

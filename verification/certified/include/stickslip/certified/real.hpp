@@ -111,7 +111,6 @@ class Real {
 [[nodiscard]] Real tan(const Real& x);
 [[nodiscard]] Real sinh(const Real& x);
 [[nodiscard]] Real cosh(const Real& x);
-[[nodiscard]] Real tanh(const Real& x);
 [[nodiscard]] Real sinc(const Real& x);  ///< sin(x)/x, 1 at 0
 [[nodiscard]] Real abs(const Real& x);
 [[nodiscard]] Real pow(const Real& x, unsigned exponent);
