@@ -66,6 +66,8 @@ def copies(table):
     yield "single precision", text_of([head, *([cell if table.types[name] != "number" or not cell else
                                                 repr(array.array("f", [float(cell)])[0]) for name, cell in zip(head, row)]
                                                for row in rows)]), []
+    yield "fifteen digits", text_of([head, *([cell if table.types[name] != "number" or not cell else f"{float(cell):.15g}"
+                                              for name, cell in zip(head, row)] for row in rows)]), []
     yield "a narrow tolerance", text_of([head, *rows]), ["--tolerance", "1e-9"]
     yield "a wide tolerance", text_of(changed(table, first, number(lambda x, row: 1.02 * x))), ["--tolerance", "0.1"]
     for word in (name for name in ("change", "phase", "verdict") if name in head):
