@@ -190,7 +190,7 @@ void require_problem(const JsonNode& node, const Resource& resource) {
   node.require_spelling({"beam", "tip", "excitation", "damping", "friction", "initial_state", "modes",
                          "duration", "column", "frequency_hz", "amplitude", "kelvin_voigt",
                          "static_coefficient", "kinetic_coefficient", "decay", "shear_coefficient",
-                         "poisson_ratio"});
+                         "poisson_ratio", "frequency_ratio", "force_ratio"});
   if (const auto tip = node.find("tip")) static_cast<void>(tip->one_of({"held", "free", "friction"}));
   if (const auto duration = node.find("duration"); duration && !duration->value().is_object())
     require_positive(*duration);

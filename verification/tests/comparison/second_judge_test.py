@@ -252,6 +252,14 @@ class Data(unittest.TestCase):
         self.assertTrue(newest.startswith(self.package["version"] + ","), newest)
         self.assertIn(hashlib.sha256(tables.encode()).hexdigest(), newest)
 
+    def test_states_a_problem_for_each_word_of_its_column(self):
+        for resource in self.package["resources"][1:]:
+            problem = resource["problem"]
+            for member in problem.values():
+                if isinstance(member, dict) and member.get("column") in ("problem", "system"):
+                    words = {str(word) for word in stickslip.load(resource["name"])[member["column"]]}
+                    self.assertEqual(words, problem.keys() - {member["column"]}, resource["name"])
+
     def test_is_enough_to_solve_a_problem_or_to_say_why_not(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
