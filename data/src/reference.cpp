@@ -209,6 +209,7 @@ StatedProblem stated_problem(const JsonNode& node) {
   for (const auto& [key, member] : node.members()) {
     if (member.value().is_string() && key == "beam") stated.beam = member.text();
     if (member.value().is_string() && key == "tip") stated.tip = member.text();
+    if (member.value().is_number()) stated.numbers[key] = member.value().get<double>();
     if (!member.value().is_object()) continue;
     for (const auto& [name, number] : member.members())
       if (number.value().is_number()) stated.numbers[key + "." + name] = number.value().get<double>();
