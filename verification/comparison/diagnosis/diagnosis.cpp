@@ -112,7 +112,9 @@ class Search {
   }
 
   [[nodiscard]] bool is_of_timoshenko_beams() const {
-    return reference_.resource.stated.numbers.contains("shear_coefficient");
+    const auto& numbers = reference_.resource.stated.numbers;
+    return numbers.contains("shear_coefficient") && numbers.contains("poisson_ratio") &&
+           numbers.contains("axial_force");
   }
 
   // k G A.
@@ -466,7 +468,8 @@ class Search {
         if (field == name) return quantity;
     if (!is_of_one_motion()) return std::nullopt;
     const data::StatedProblem& stated = reference_.resource.stated;
-    const bool is_held = stated.tip == "held" && stated.numbers.at("damping.kelvin_voigt") == 0.0;
+    const auto damping = stated.numbers.find("damping.kelvin_voigt");
+    const bool is_held = stated.tip == "held" && (damping == stated.numbers.end() || damping->second == 0.0);
     if (field == "midspan_displacement" || field == "displacement")
       return is_held ? Quantity::stick_displacement : Quantity::midspan_displacement;
     if (field == "midspan_velocity" || field == "velocity")
@@ -578,7 +581,7 @@ class Search {
     SeenRows seen;
     const double end = std::min(latest, comparison_.horizon);
     const data::Column* time = theirs_.column(name_of_time());
-    const bool has_points = time != nullptr && theirs_.column("x") != nullptr;
+    const bool has_points = time != nullptr && reference_.resource.field("x") != nullptr;
     const std::vector<double>& values = theirs_.column(field)->values;
     for (std::size_t row = 0; row < theirs_.rows(); ++row) {
       if (time != nullptr && time->values[row] > end) continue;
