@@ -45,17 +45,17 @@ enum class Quantity {
   midspan_velocity       ///< y_t(L/2, t), m/s, over t in s
 };
 
-inline constexpr std::array quantity_names{
-    std::string_view("stick frequency"),      std::string_view("slip frequency"),
-    std::string_view("participation"),        std::string_view("quasi-static shape"),
-    std::string_view("force maximum"),        std::string_view("critical amplitude"),
-    std::string_view("stick force"),          std::string_view("stick displacement"),
-    std::string_view("stick velocity"),       std::string_view("steady amplitude"),
-    std::string_view("steady phase"),         std::string_view("steady force amplitude"),
-    std::string_view("steady force phase"),   std::string_view("heat"),
-    std::string_view("contact event"),        std::string_view("tip displacement"),
-    std::string_view("friction force"),       std::string_view("tip velocity"),
-    std::string_view("midspan displacement"), std::string_view("midspan velocity")};
+inline constexpr std::array<std::string_view, 20> quantity_names{
+    "stick frequency",      "slip frequency",
+    "participation",        "quasi-static shape",
+    "force maximum",        "critical amplitude",
+    "stick force",          "stick displacement",
+    "stick velocity",       "steady amplitude",
+    "steady phase",         "steady force amplitude",
+    "steady force phase",   "heat",
+    "contact event",        "tip displacement",
+    "friction force",       "tip velocity",
+    "midspan displacement", "midspan velocity"};
 
 /// Those of which each wrong model lists whether it changes them.
 inline constexpr std::array all_quantities{
