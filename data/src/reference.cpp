@@ -190,7 +190,7 @@ void require_problem(const JsonNode& node, const Resource& resource) {
   node.require_spelling({"beam", "tip", "excitation", "damping", "friction", "initial_state", "modes",
                          "duration", "column", "frequency_hz", "amplitude", "kelvin_voigt",
                          "static_coefficient", "kinetic_coefficient", "decay", "shear_coefficient",
-                         "poisson_ratio"});
+                         "poisson_ratio", "frequency_ratio", "force_ratio"});
   if (const auto tip = node.find("tip")) static_cast<void>(tip->one_of({"held", "free", "friction"}));
   if (const auto duration = node.find("duration"); duration && !duration->value().is_object())
     require_positive(*duration);
@@ -209,6 +209,7 @@ StatedProblem stated_problem(const JsonNode& node) {
   for (const auto& [key, member] : node.members()) {
     if (member.value().is_string() && key == "beam") stated.beam = member.text();
     if (member.value().is_string() && key == "tip") stated.tip = member.text();
+    if (member.value().is_number()) stated.numbers[key] = member.value().get<double>();
     if (!member.value().is_object()) continue;
     for (const auto& [name, number] : member.members())
       if (number.value().is_number()) stated.numbers[key + "." + name] = number.value().get<double>();

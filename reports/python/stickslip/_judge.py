@@ -269,10 +269,16 @@ class _Comparison:
 
     def _use_known_keys(self):
         """Keys of the user become those of the data set: the only one within 1e-6 (single precision), or the nearest within 1e-9."""
+        self.reference = copy.copy(self.reference)
+        self.reference.cells = dict(self.reference.cells)
         for name in self.reference.key:
             if name == self.rule.get("abscissa") or name not in self.theirs.cells or self.reference.types[name] == "string":
                 continue
-            known, cells = sorted(set(self.reference.cells[name])), self.theirs.cells[name]
+            known, cells = [], self.theirs.cells[name]
+            for one in sorted(set(self.reference.cells[name])):  # of two beams they may differ in the last digit
+                if not known or one - known[-1] > 1e-9 * abs(one):
+                    known.append(one)
+            self.reference.cells[name] = [known[bisect.bisect_right(known, one) - 1] for one in self.reference.cells[name]]
             for row, key in enumerate(cells):
                 near = known[bisect.bisect_left(known, key - 1e-6 * abs(key)):bisect.bisect_right(known, key + 1e-6 * abs(key))]
                 same = [one for one in near if len(near) == 1 or abs(one - key) <= 1e-9 * max(abs(one), abs(key))]

@@ -9,6 +9,7 @@
 #include <initializer_list>
 #include <limits>
 #include <map>
+#include <tuple>
 #include <utility>
 
 #include "comparison/diagnosis/patterns.hpp"
@@ -25,7 +26,7 @@ namespace {
 
 using Series = Comparison::Series;
 using Candidates = std::vector<Hypothesis>;
-using RowPairs = std::vector<std::pair<std::size_t, std::size_t>>;  // of the user and of the data set
+using SeenRows = std::vector<std::pair<double, std::size_t>>;  // a user's value, and the row of the data set
 
 Candidates all_of(std::optional<Hypothesis> found) {
   return found ? Candidates{*std::move(found)} : Candidates{};
@@ -74,7 +75,7 @@ class Search {
     for (const Comparison::Quantity& quantity : comparison_.quantities) {
       if (reference_.resource.field(quantity.name) == nullptr) continue;  // a count of events or phases
       std::vector<Series> groups = quantity.series;
-      if (groups_are_rows()) groups = {joined(groups)};
+      if (groups_are_rows() || comparison_.abscissa.empty()) groups = {joined(groups)};
       for (const Series& group : groups)
         if (differs(group) || event_sequences_differ(quantity)) add(quantity, group);
     }
@@ -104,9 +105,34 @@ class Search {
     int groups = 1;
   };
 
-  // Whether each row of the data set is a case of its own.
+  // Whether each row of the data set is a case of its own, or a point of one motion.
   [[nodiscard]] bool groups_are_rows() const {
-    return comparison_.kind == data::ComparisonKind::table && rule_ != nullptr && rule_->case_column.empty();
+    return comparison_.kind == data::ComparisonKind::table &&
+           (rule_ != nullptr ? rule_->case_column.empty() : is_of_one_motion());
+  }
+
+  [[nodiscard]] bool is_of_timoshenko_beams() const {
+    const auto& numbers = reference_.resource.stated.numbers;
+    return numbers.contains("shear_coefficient") && numbers.contains("poisson_ratio") &&
+           numbers.contains("axial_force");
+  }
+
+  // k G A.
+  static double shear_stiffness(const data::Beam& beam, double coefficient, double poisson_ratio) {
+    return coefficient * beam.youngs_modulus() * beam.area() / (2.0 * (1.0 + poisson_ratio));
+  }
+
+  // Whether the data set has a steady vibration with damping at each frequency.
+  [[nodiscard]] bool is_of_steady_state() const {
+    return rule_ == nullptr && reference_.resource.field("heat") != nullptr &&
+           !reference_.resource.stated.beam.empty() &&
+           reference_.resource.primary_key == std::vector<std::string>{"frequency"};
+  }
+
+  // Whether the problem is one motion, of which the data set has times.
+  [[nodiscard]] bool is_of_one_motion() const {
+    return !reference_.resource.stated.beam.empty() &&
+           std::ranges::count(reference_.resource.primary_key, "time") > 0;
   }
 
   static Series joined(const std::vector<Series>& groups) {
@@ -143,10 +169,10 @@ class Search {
   }
 
   [[nodiscard]] std::optional<MergedFinding> finding_of(const Question& question) const {
-    if (auto found =
-            nearest_of({&Search::relations, &Search::relations_in_sequence, &Search::other_columns,
-                        &Search::all_zeros, &Search::data_sets_within_tolerance, &Search::other_places},
-                       question))
+    if (auto found = nearest_of(
+            {&Search::relations, &Search::other_beams, &Search::relations_in_sequence, &Search::other_columns,
+             &Search::all_zeros, &Search::data_sets_within_tolerance, &Search::other_places},
+            question))
       return found;
     Diagnosis by_models = diagnose_by_models(question);
     if (by_models.finding != Finding::mistaken) {
@@ -196,8 +222,7 @@ class Search {
   // --- relations of the numbers
 
   [[nodiscard]] Candidates relations(const Question& question) const {
-    const bool is_slip = rule_ != nullptr && rule_->quantity == name_of(Quantity::slip_frequency);
-    auto found = pattern_of(question.values, question.beam(), is_slip);
+    auto found = pattern_of(question.values, question.beam(), is_free());
     if (found && found->name == "constant-factor" && is_mode_shape()) {
       found->name = "scaled-shape";
       found->sentence = "MAC = 1: the same shape in another scale or with another sign";
@@ -245,7 +270,55 @@ class Search {
   }
 
   [[nodiscard]] Candidates growing_errors(const Question& question) const {
-    return all_of(growth_of(question.values, question.beam()));
+    return is_of_timoshenko_beams() ? Candidates() : all_of(growth_of(question.values, question.beam()));
+  }
+
+  [[nodiscard]] bool is_free() const { return reference_.resource.stated.tip == "free"; }
+
+  // Frequencies of a beam with other parts of Timoshenko's theory than this one. Both are computed on a mesh.
+  [[nodiscard]] Candidates other_beams(const Question& question) const {
+    const ComparedValues& values = question.values;
+    if (question.beam() == nullptr || values.unit != "Hz" || values.abscissa_name != "mode") return {};
+    const data::Beam& beam = *question.beam();
+    const auto frequencies = [&](double share_of_rotary_inertia, double stiffness) {
+      data::BeamProperties properties = beam.properties();
+      properties.area /= share_of_rotary_inertia;  // rho A as it is, I/A less
+      properties.density *= share_of_rotary_inertia;
+      properties.shear_stiffness = stiffness;
+      return mesh_frequencies(data::Beam(properties), 40, is_free(),
+                              static_cast<int>(std::ranges::max(values.abscissa)));
+    };
+    constexpr double none = 1e-6, all = 1.0, rigid = 1e6;
+    const double coefficient = 5.0 / 6.0, ratio = 0.3, usual = shear_stiffness(beam, coefficient, ratio);
+    const bool is_timoshenko = is_of_timoshenko_beams();
+    const auto right = is_timoshenko ? frequencies(all, usual) : frequencies(none, rigid * usual);
+    Candidates found;
+    const auto add = [&](const std::vector<double>& wrong, const std::string& sentence) {
+      Hypothesis one{.name = "other-beam", .values = {}, .sentence = sentence};
+      for (std::size_t i = 0; i < values.reference.size(); ++i) {
+        const auto mode = static_cast<std::size_t>(values.abscissa[i]);
+        one.values.push_back(mode > std::min(wrong.size(), right.size())
+                                 ? std::numeric_limits<double>::quiet_NaN()
+                                 : values.reference[i] * wrong[mode - 1] / right[mode - 1]);
+      }
+      if (auto near = accepted(values, one, 12)) found.push_back(*std::move(near));
+    };
+    add(frequencies(all, rigid * usual), "like a beam with rotary inertia and without shear (Rayleigh's)");
+    add(frequencies(none, usual), "like a beam with shear and without rotary inertia");
+    if (!is_timoshenko) add(frequencies(all, usual), "like a Timoshenko beam with k = 5/6 and nu = 0.3");
+    if (!is_timoshenko) return found;
+    add(frequencies(none, rigid * usual), "like a beam of Euler and Bernoulli");
+    for (const auto& [text, k, nu] : {std::tuple{"k = 1", 1.0, ratio},
+                                      {"Cowper's k = 10 (1 + nu)/(12 + 11 nu)", 13.0 / 15.3, ratio},
+                                      {"Mindlin's k = pi^2/12", 9.869604401089358 / 12.0, ratio},
+                                      {"nu = 0, G = E/2", coefficient, 0.0},
+                                      {"nu = 0.2", coefficient, 0.2},
+                                      {"nu = 0.25", coefficient, 0.25},
+                                      {"nu = 1/3", coefficient, 1.0 / 3.0},
+                                      {"nu = 0.5", coefficient, 0.5}})
+      add(frequencies(all, shear_stiffness(beam, k, nu)),
+          fmt::format("like a Timoshenko beam with {}", text));
+    return found;
   }
 
   // --- another column, single values
@@ -254,16 +327,22 @@ class Search {
   [[nodiscard]] Candidates other_columns(const Question& question) const {
     Candidates found;
     for (const Comparison::Quantity& swapped : comparison_.quantities)
-      for (const Series& series : swapped.series) {
+      for (const Series& series : groups_are_rows() ? std::vector{joined(swapped.series)} : swapped.series) {
         if (swapped.name == question.quantity.name || series.group != question.group.group ||
             series.abscissa != question.group.abscissa)
           continue;
-        if (auto one = accepted(question.values,
-                                {.name = "other-column",
-                                 .values = series.reference,
-                                 .sentence = fmt::format("the values are those of {}", swapped.name)},
-                                static_cast<int>(comparison_.quantities.size())))
-          found.push_back(*std::move(one));
+        // In their own measure: beside larger values in another unit all small ones are alike.
+        constexpr double near = 0.01;
+        const auto& theirs = question.values.theirs;
+        const data::Norm norm = question.values.norm;
+        const double own_distance = distance(norm, series.reference, theirs, series.reference);
+        if (!(own_distance <= near) || theirs.size() < 3) continue;
+        found.push_back({.name = "other-column",
+                         .values = series.reference,
+                         .sentence = fmt::format("the values are those of {}", swapped.name),
+                         .distance = own_distance,
+                         .from_reference = distance(norm, question.values.reference, series.reference,
+                                                    question.values.reference)});
       }
     return found;
   }
@@ -367,17 +446,37 @@ class Search {
 
   [[nodiscard]] bool is_force_ratio() const { return rule_ != nullptr && rule_->quantity == "force ratio"; }
 
-  // The quantity of the wrong models; that of f beside y in a history as well.
+  // The quantity of the wrong models. Of fields it is that in the middle of the beam.
   [[nodiscard]] std::optional<Quantity> quantity_of(const std::string& field) const {
-    if (rule_ == nullptr) return std::nullopt;
     if (is_force_ratio()) return Quantity::critical_amplitude;
-    const auto* const known = std::ranges::find(all_quantities, rule_->quantity, name_of);
-    if (known == all_quantities.end())
-      throw data::InputError(fmt::format("the quantity '{}' of a diagnosis is unknown", rule_->quantity));
-    if (field == rule_->value) return *known;
-    if (field != "friction_force") return std::nullopt;
-    if (*known == Quantity::stick_displacement) return Quantity::stick_force;
-    if (*known == Quantity::tip_displacement) return Quantity::friction_force;
+    if (rule_ != nullptr) {
+      const auto* const known = std::ranges::find(quantity_names, rule_->quantity);
+      if (known == quantity_names.end())
+        throw data::InputError(fmt::format("the quantity '{}' of a diagnosis is unknown", rule_->quantity));
+      const auto quantity = static_cast<Quantity>(known - quantity_names.begin());
+      if (field == rule_->value) return quantity;
+      if (field == "friction_force" && quantity == Quantity::stick_displacement) return Quantity::stick_force;
+      if (field == "friction_force" && quantity == Quantity::tip_displacement)
+        return Quantity::friction_force;
+    }
+    if (is_of_steady_state())
+      for (const auto& [name, quantity] : {std::pair{"midspan_amplitude", Quantity::steady_amplitude},
+                                           {"midspan_phase", Quantity::steady_phase},
+                                           {"force_amplitude", Quantity::steady_force_amplitude},
+                                           {"force_phase", Quantity::steady_force_phase},
+                                           {"heat", Quantity::heat}})
+        if (field == name) return quantity;
+    if (!is_of_one_motion()) return std::nullopt;
+    const data::StatedProblem& stated = reference_.resource.stated;
+    const auto damping = stated.numbers.find("damping.kelvin_voigt");
+    const bool is_held = stated.tip == "held" && (damping == stated.numbers.end() || damping->second == 0.0);
+    if (field == "midspan_displacement" || field == "displacement")
+      return is_held ? Quantity::stick_displacement : Quantity::midspan_displacement;
+    if (field == "midspan_velocity" || field == "velocity")
+      return is_held ? Quantity::stick_velocity : Quantity::midspan_velocity;
+    if (field == "friction_force") return is_held ? Quantity::stick_force : Quantity::friction_force;
+    if (field == "tip_displacement") return Quantity::tip_displacement;
+    if (field == "tip_velocity") return Quantity::tip_velocity;
     return std::nullopt;
   }
 
@@ -386,12 +485,19 @@ class Search {
   [[nodiscard]] std::optional<data::Case> case_of(const Series& group) const {
     const data::StatedProblem& stated = reference_.resource.stated;
     std::string name = rule_ == nullptr ? stated.beam : rule_->case_name;
-    for (std::size_t row = 0; rule_ != nullptr && name.empty() && row < reference_.rows(); ++row)
-      if (group.group.empty() || label_of(row) == group.group)
-        name = reference_.column(rule_->case_column).text[row];
+    const std::string column = rule_ == nullptr ? "beam" : rule_->case_column;
+    for (std::size_t row = 0;
+         name.empty() && reference_.resource.field(column) != nullptr && row < reference_.rows(); ++row)
+      if (group.group.empty() || label_of(row) == group.group) name = reference_.column(column).text[row];
     try {
       auto numbers = data::numbers_of(data::load_case(name));
       for (const auto& [key, number] : stated.numbers) numbers[key] = number;
+      if (is_of_timoshenko_beams()) {
+        numbers["beam.axial_force"] = stated.numbers.at("axial_force");
+        numbers["beam.shear_stiffness"] =
+            shear_stiffness(data::load_case(name).beam, stated.numbers.at("shear_coefficient"),
+                            stated.numbers.at("poisson_ratio"));
+      }
       if (stated.tip == "friction" && numbers["damping.kelvin_voigt"] == 0.0) {
         // Without damping a mesh converges only if its steps damp what they cannot resolve. Over three periods these
         // come within 0.4 % of the published histories.
@@ -470,22 +576,46 @@ class Search {
     std::vector<data::Case> cases;
   };
 
-  [[nodiscard]] RowPairs pairs_of(const Series& group, const std::string& field, double latest) const {
-    RowPairs pairs;
+  [[nodiscard]] SeenRows seen_of(const Series& group, const std::string& field, double latest,
+                                 const data::Beam& beam) const {
+    SeenRows seen;
     const double end = std::min(latest, comparison_.horizon);
-    const data::Column* time =
-        comparison_.abscissa_unit == "s" ? theirs_.column(comparison_.abscissa) : nullptr;
+    const data::Column* time = theirs_.column(name_of_time());
+    const bool has_points = time != nullptr && reference_.resource.field("x") != nullptr;
+    const std::vector<double>& values = theirs_.column(field)->values;
     for (std::size_t row = 0; row < theirs_.rows(); ++row) {
       if (time != nullptr && time->values[row] > end) continue;
+      if (has_points && !data::is_same_key(theirs_.column("x")->values[row], 0.5 * beam.length())) continue;
       const auto found = row_like(reference_, reference_.resource.primary_key, theirs_.columns, row);
       if (!found || !std::isfinite(reference_.column(field).values[*found])) continue;
-      if (group.group.empty() || label_of(*found) == group.group) pairs.emplace_back(row, *found);
+      if (group.group.empty() || label_of(*found) == group.group) seen.emplace_back(values[row], *found);
     }
-    return pairs;
+    constexpr std::size_t few = 20;
+    return time != nullptr && !has_points && seen.size() < few ? interpolated(field, end) : seen;
+  }
+
+  [[nodiscard]] std::string name_of_time() const {
+    return comparison_.abscissa_unit == "s" ? comparison_.abscissa : "time";
+  }
+
+  // A user's values at the times of the data set, along straight lines.
+  [[nodiscard]] SeenRows interpolated(const std::string& field, double end) const {
+    const std::vector<double>&times = theirs_.column(name_of_time())->values,
+          &values = theirs_.column(field)->values;
+    if (!std::ranges::is_sorted(times)) return {};
+    SeenRows seen;
+    for (std::size_t row = 0; row < reference_.rows(); ++row) {
+      const double t = reference_.column(name_of_time()).values[row];
+      const auto next = static_cast<std::size_t>(std::ranges::lower_bound(times, t) - times.begin());
+      if (t > end || next == 0 || next == times.size()) continue;
+      const double share = (t - times[next - 1]) / (times[next] - times[next - 1]);
+      seen.emplace_back((1.0 - share) * values[next - 1] + share * values[next], row);
+    }
+    return seen;
   }
 
   // Onsets and captures, not reversals, in their sequence.
-  [[nodiscard]] RowPairs pairs_of_events() const {
+  [[nodiscard]] SeenRows seen_events() const {
     const auto rows_of = [](const data::Column& change) {
       Rows rows;
       for (std::size_t row = 0; row < change.text.size(); ++row)
@@ -493,16 +623,16 @@ class Search {
       return rows;
     };
     const Rows theirs = rows_of(*theirs_.column("change")), reference = rows_of(reference_.column("change"));
-    RowPairs pairs;
+    SeenRows seen;
     for (std::size_t i = 0; i < std::min({theirs.size(), reference.size(), std::size_t{12}}); ++i)
-      pairs.emplace_back(theirs[i], reference[i]);
-    return pairs;
+      seen.emplace_back(theirs_.column("time")->values[theirs[i]], reference[i]);
+    return seen;
   }
 
   // The wrong models are tried up to this time: five periods of stick and slip, or three without damping. Later on,
   // small errors grow.
-  static double end_of(Quantity quantity, const data::Case& problem) {
-    const bool is_history = quantity == Quantity::tip_displacement || quantity == Quantity::friction_force;
+  [[nodiscard]] double end_of(Quantity quantity, const data::Case& problem) const {
+    const bool is_history = quantity > Quantity::contact_event && reference_.resource.stated.tip != "held";
     const double periods = studies::is_damped(problem) ? 5.0 : 3.0;
     return is_history ? periods / problem.excitation.frequency_hz() : std::numeric_limits<double>::infinity();
   }
@@ -511,15 +641,17 @@ class Search {
                                   const Series& group, const data::Case& problem) const {
     const bool is_event = quantity == Quantity::contact_event;
     const bool is_slow = quantity == Quantity::force_maximum || quantity == Quantity::critical_amplitude;
-    const auto pairs =
-        spread(is_event ? pairs_of_events() : pairs_of(group, compared.name, end_of(quantity, problem)),
-               is_slow ? 8 : 400);
-    const data::Column &values = *theirs_.column(compared.name), &truth = reference_.column(compared.name);
+    const auto seen = spread(
+        is_event ? seen_events() : seen_of(group, compared.name, end_of(quantity, problem), problem.beam),
+        is_slow                ? 8
+        : is_of_steady_state() ? 30
+                               : 400);
+    const data::Column& truth = reference_.column(compared.name);
     const auto half_width = reference_.radius_of(compared.name);
     const double scale = group.allowed.empty() ? compared.tolerance : group.allowed[0] - group.half_width[0];
     Observed result;
-    for (const auto& [row, reference_row] : pairs) {
-      double value = values.values[row], right = truth.values[reference_row];
+    for (auto [value, reference_row] : seen) {
+      double right = truth.values[reference_row];
       double uncertainty =
           half_width[reference_row] +
           (compared.norm == data::Norm::relative ? compared.tolerance * std::abs(right) : scale);
@@ -529,9 +661,12 @@ class Search {
         uncertainty *= amplitude / (right * right);
         value = amplitude / value, right = amplitude / right;
       }
-      result.abscissa.push_back(is_event  ? static_cast<double>(result.truth.size() + 1)
-                                : is_slow ? result.cases.back().excitation.frequency_hz()
-                                          : reference_.column(rule_->abscissa).values[reference_row]);
+      result.abscissa.push_back(is_event             ? static_cast<double>(result.truth.size() + 1)
+                                : is_slow            ? result.cases.back().excitation.frequency_hz()
+                                : is_of_one_motion() ? reference_.column("time").values[reference_row]
+                                : is_of_steady_state()
+                                    ? reference_.column("frequency").values[reference_row]
+                                    : reference_.column(rule_->abscissa).values[reference_row]);
       result.values.push_back(value);
       result.uncertainty.push_back(uncertainty);
       result.truth.push_back(right);
@@ -539,66 +674,70 @@ class Search {
     return result;
   }
 
-  // What a number of the problem is to explain, and the right result by this program.
+  // What is to be explained, and the right result by this program.
   struct Difference {
     const data::Case& problem;
     Quantity quantity;
     ComparedValues values;
     const std::vector<double>& right;
+    double uncertainty;
+
+    // The result of a model, which `sentence` describes; at an infinite distance if there is none.
+    [[nodiscard]] Hypothesis hypothesis(const std::optional<std::vector<double>>& wrong,
+                                        std::string sentence) const {
+      Hypothesis found{.name = "wrong-number", .free = 1, .sentence = std::move(sentence)};
+      found.distance = std::numeric_limits<double>::infinity();
+      if (!wrong) return found;
+      found.values = *wrong;
+      ModelResults results{
+          .norm = values.norm, .reference = right, .reference_uncertainty = {}, .wrong_models = {found}};
+      found = relative_to_data(std::move(results), values.reference).wrong_models.front();
+      found.distance = distance(values.norm, values.reference, values.theirs, found.values);
+      return found;
+    }
+    [[nodiscard]] double from_reference() const {
+      return distance(values.norm, values.reference, values.theirs, values.reference);
+    }
   };
 
-  // The problem with this number times a factor; at an infinite distance if it has no such state.
-  static Hypothesis with_number(const Difference& difference, std::string_view key, double factor) {
-    const auto& [problem, quantity, values, right] = difference;
-    Hypothesis none;
-    none.distance = std::numeric_limits<double>::infinity();
-    const auto wrong = result_with(problem, key, factor, quantity, values.abscissa);
-    if (!wrong) return none;
-    ModelResults results{
-        .norm = values.norm, .reference = right, .reference_uncertainty = {}, .wrong_models = {}};
-    results.wrong_models.push_back({.name = "wrong-number", .values = *wrong, .free = 1});
-    Hypothesis found = relative_to_data(std::move(results), values.reference).wrong_models.front();
-    found.distance = distance(values.norm, values.reference, values.theirs, found.values);
-    const double value = data::value_of(problem, key);
-    found.sentence = fmt::format("like {} = {:.3g} instead of {:.6g}", key, factor * value, value);
-    return found;
-  }
-
-  // The nearest factor of some between a half and twice and, where it comes a fifth nearer than the reference, the nearest
-  // one between its neighbours by the golden section.
-  static Hypothesis fitted_number(const Difference& difference, std::string_view key) {
-    constexpr std::array factors{0.5,  0.63, 0.8,  0.9, 0.96, 0.98, 0.99,
-                                 1.01, 1.02, 1.04, 1.1, 1.25, 1.6,  2.0};
-    constexpr double worth_fitting = 0.8, golden = 0.6180339887498949;
+  // The nearest one along an ascending list of numbers and, where that is much nearer than the reference, between its
+  // neighbours by the golden section, until it is near enough.
+  template <class Make>
+  static Hypothesis fitted(const std::vector<double>& numbers, const Difference& difference,
+                           const Make& make) {
+    constexpr double worth_fitting = 0.6, enough = 0.1, golden = 0.6180339887498949;
     constexpr int sections = 16;
-    const ComparedValues& values = difference.values;
-    Hypothesis best = with_number(difference, key, factors.front());
-    const auto distance_at = [&](double factor) {
-      const Hypothesis here = with_number(difference, key, factor);
+    Hypothesis best = make(numbers.front());
+    const auto distance_at = [&](double number) {
+      const Hypothesis here = make(number);
       if (here.distance < best.distance) best = here;
       return here.distance;
     };
     std::size_t nearest = 0;
-    for (std::size_t k = 1; k < factors.size(); ++k)
-      if (const double before = best.distance; distance_at(factors.at(k)) < before) nearest = k;
-    if (!(best.distance <
-          worth_fitting * distance(values.norm, values.reference, values.theirs, values.reference)))
-      return best;
-    double from = factors.at(nearest == 0 ? 0 : nearest - 1),
-           to = factors.at(std::min(nearest + 1, factors.size() - 1));
-    for (int n = 0; n < sections; ++n) {
-      const double low = to - golden * (to - from), high = from + golden * (to - from);
-      if (distance_at(low) < distance_at(high))
-        to = high;
-      else
-        from = low;
+    for (std::size_t k = 1; k < numbers.size(); ++k)
+      if (const double before = best.distance; distance_at(numbers[k]) < before) nearest = k;
+    if (!(best.distance < worth_fitting * difference.from_reference())) return best;
+    double from = numbers[nearest == 0 ? 0 : nearest - 1],
+           to = numbers[std::min(nearest + 1, numbers.size() - 1)];
+    double low = to - golden * (to - from), high = from + golden * (to - from);
+    double at_low = distance_at(low), at_high = distance_at(high);
+    for (int n = 1; n < sections && best.distance > enough * difference.uncertainty; ++n) {
+      if (at_low < at_high) {
+        to = std::exchange(high, low), at_high = at_low;
+        low = to - golden * (to - from), at_low = distance_at(low);
+      } else {
+        from = std::exchange(low, high), at_low = at_high;
+        high = from + golden * (to - from), at_high = distance_at(high);
+      }
     }
     return best;
   }
 
-  // The number of the problem that explains the values best once it is multiplied.
-  static std::optional<Hypothesis> wrong_number(const data::Case& problem, Quantity quantity,
-                                                const Observed& seen, const ModelResults& computed) {
+  // The numbers of the problem, one of which explains the values once it is multiplied: the nearest, and those that
+  // cannot be told from it. A right one is as near as the program and the user state.
+  static std::optional<Hypothesis> wrong_number(const Difference& difference) {
+    static const std::vector<double> factors{0.5,  0.63, 0.8,  0.9, 0.96, 0.98, 0.99,
+                                             1.01, 1.02, 1.04, 1.1, 1.25, 1.6,  2.0};
     constexpr std::array<std::string_view, 10> keys{"friction.static_coefficient",
                                                     "friction.kinetic_coefficient",
                                                     "friction.decay",
@@ -609,23 +748,44 @@ class Search {
                                                     "beam.density",
                                                     "beam.axial_force",
                                                     "beam.length"};
-    Difference difference{
-        .problem = problem, .quantity = quantity, .values = {}, .right = computed.reference};
-    ComparedValues& values = difference.values;
-    values.norm = computed.norm;
-    values.abscissa = seen.abscissa;
-    values.theirs = seen.values;
-    values.reference = seen.truth;
-    std::array<Candidates, keys.size()> found;
+    const auto& [problem, quantity, values, right, uncertainty] = difference;
+    std::vector<Hypothesis> found(keys.size());
     studies::in_parallel(keys.size(), [&](std::size_t i) {
-      if (data::value_of(problem, keys.at(i)) == 0.0) return;
-      if (auto one = accepted(values, fitted_number(difference, keys.at(i)), static_cast<int>(keys.size())))
-        found.at(i).push_back(*std::move(one));
+      const std::string_view key = keys.at(i);
+      const double value = data::value_of(problem, key);
+      found[i].distance = std::numeric_limits<double>::infinity();
+      if (value == 0.0) return;
+      found[i] = fitted(factors, difference, [&](double factor) {
+        return difference.hypothesis(
+            result_with(problem, key, factor, quantity, values.abscissa),
+            fmt::format("like {} = {:.4g} instead of {:.6g}", key, factor * value, value));
+      });
     });
-    std::optional<Hypothesis> nearest;
-    for (const Candidates& one : found)
-      if (!one.empty() && (!nearest || one.front().distance < nearest->distance)) nearest = one.front();
+    std::erase_if(found, [&](const Hypothesis& one) {
+      return !(one.distance <= 2.0 * uncertainty) || !accepted(values, one, static_cast<int>(keys.size()));
+    });
+    std::ranges::sort(found, {}, &Hypothesis::distance);
+    if (found.empty()) return std::nullopt;
+    Hypothesis nearest = found.front();
+    for (const Hypothesis& other : found)
+      if (&other != &found.front() &&
+          distance(values.norm, values.reference, other.values, nearest.values) <= 2.0 * uncertainty)
+        nearest.sentence += ", or" + other.sentence.substr(4);
     return nearest;
+  }
+
+  // The width of a smooth law of friction that explains the values.
+  static std::optional<Hypothesis> smooth_friction(const Difference& difference) {
+    static const std::vector<double> widths{1e-3, 3e-3, 0.01, 0.03, 0.1, 0.3};
+    if (difference.quantity <= Quantity::contact_event) return std::nullopt;
+    const auto& values = difference.values;
+    const Hypothesis found = fitted(widths, difference, [&](double width) {
+      return difference.hypothesis(
+          result_smoothed_over(difference.problem, width, difference.quantity, values.abscissa),
+          fmt::format("like a law of friction that is smoothed over {:.2g} mm/s", 1e3 * width));
+    });
+    if (!(found.distance <= 2.0 * difference.uncertainty)) return std::nullopt;
+    return accepted(values, found, static_cast<int>(widths.size()));
   }
 
   static std::string up_to(double time) {
@@ -651,10 +811,20 @@ class Search {
       const double nearest =
           found.ranked.empty() ? std::numeric_limits<double>::infinity() : found.ranked.front().distance;
       const bool is_rough = found.finding == Finding::mistaken && nearest > rough;
-      if ((found.finding == Finding::unexplained || is_rough) && seen.cases.empty())
-        if (const auto number = wrong_number(*problem, *quantity, seen, computed);
-            number && number->distance < nearest)
-          return diagnosis_of(question, *number);
+      if ((found.finding == Finding::unexplained || is_rough) && seen.cases.empty()) {
+        Difference difference{.problem = *problem,
+                              .quantity = *quantity,
+                              .values = {},
+                              .right = computed.reference,
+                              .uncertainty = found.uncertainty};
+        difference.values.norm = computed.norm;
+        difference.values.abscissa = seen.abscissa;
+        difference.values.theirs = seen.values;
+        difference.values.reference = seen.truth;
+        auto number = wrong_number(difference);
+        if (!number) number = smooth_friction(difference);
+        if (number && number->distance < nearest) return diagnosis_of(question, *number);
+      }
       if (found.finding == Finding::correct)
         found.sentence =
             fmt::format("no diagnosis: the difference of {}{} is too small to be assigned to a mistake",

@@ -13,13 +13,15 @@ namespace stickslip::comparison {
 /// A diagnosis for each quantity and group that differs. These are asked in turn until a hypothesis is accepted
 /// (ranking.hpp), and of several the nearest is named:
 /// - a relation of the numbers alone (patterns.hpp), another column, zeros;
+/// - frequencies of a beam with other parts of Timoshenko's theory;
 /// - another data set with the same columns, to the tolerance;
 /// - for y(L/2), the values at the node beside the middle on a mesh of 4 to 40 elements;
 /// - for maxima of ten modes, the values of all modes;
 /// - the nearest wrong model, if the data set names the case. Its effect is computed by one method with and
 ///   without the mistake and applied to the values of the data set (relative_to_data()). At most 8 forces
 ///   over 10 s, 12 events or five periods of stick and slip (three without damping) are taken for it, which keeps a
-///   diagnosis within seconds. The tolerance counts as the uncertainty of the user's values;
+///   diagnosis within seconds. The tolerance counts as the uncertainty of the user's values. Where no model is near, one
+///   number of the problem, or the width of a smooth law of friction, is fitted;
 /// - another data set, beyond the tolerance;
 /// - an error of natural frequencies that grows with the mode number;
 /// - single values.

@@ -95,6 +95,9 @@ Found with_factor(const ComparedValues& values, double factor, const std::string
 Found factor_of(const ComparedValues& values) {
   for (const auto& [factor, text] : usual_factors)
     if (auto found = with_factor(values, factor, text, 0)) return found;
+  // Any one or two values have a factor.
+  const auto zeros = std::ranges::count(values.reference, 0.0);
+  if (std::ssize(values.reference) - zeros < 3) return {};
   const double factor = fitted_factor(values);
   const std::string text = fmt::format("{:.5g}", factor);
   return text == "1" ? Found() : with_factor(values, factor, text, 1);
@@ -219,7 +222,11 @@ Found shift_of(const ComparedValues& values) {
   if (values.abscissa.size() < fewest || !std::ranges::is_sorted(values.abscissa, std::less_equal()))
     return {};
   // Where only values at an end differ, a shift may leave none of them to explain.
-  const auto explains = [](const Found& found) { return found && found->from_reference > 0.0; };
+  // Of other motions, too, much is explained by a shift, but not as much as this; empirical.
+  constexpr double near = 0.05;
+  const auto explains = [](const Found& found) {
+    return found && found->from_reference > 0.0 && found->distance <= near;
+  };
   Found best;
   for (const int k : {1, -1, 2, -2, 3, -3, 4, -4, 5, -5})
     if (const auto found =
@@ -309,21 +316,6 @@ Found mixed_modes(const ComparedValues& values, const data::Beam* beam) {
                   patterns_tried);
 }
 
-// The lowest natural frequencies on a mesh of cubic Hermite elements, Hz, as many as the mesh has but at most
-// `count`; empty if one is complex.
-Values mesh_frequencies(const data::Beam& beam, int elements, bool is_slip, int count) {
-  const solver::BeamModel mesh(beam, elements);
-  const int most = static_cast<int>(mesh.degrees_of_freedom()) - (is_slip ? 0 : 1);
-  Values hz;
-  try {
-    for (const auto& mode : (is_slip ? solver::slip_modes : solver::stick_modes)(mesh, std::min(count, most)))
-      hz.push_back(mode.angular_frequency / two_pi);
-  } catch (const data::InputError&) {
-    return {};
-  }
-  return hz;
-}
-
 double squared_wave_number(const data::Beam& beam, double hz) {
   return two_pi * hz *
          std::sqrt(beam.density() * beam.area() / (beam.youngs_modulus() * beam.second_moment_of_area()));
@@ -380,19 +372,10 @@ std::string square_growth(double coefficient, const data::Beam* beam) {
                                       elements_of(1.0 / 8.0, coefficient, *beam),
                                       elements_of(1.0 / 24.0, coefficient, *beam));
   }
-  std::string discrete = "as with lumped masses or finite differences";
-  if (beam == nullptr) return discrete;
-  discrete =
-      fmt::format("as with lumped masses on about {} cubic elements, or finite differences of {} intervals",
-                  elements_of(1.0 / 78.0, coefficient, *beam), elements_of(1.0 / 12.0, coefficient, *beam));
-  // Rotary inertia and shear lower omega by (beta r)^2/2 (1 + E/(k G)), r^2 = I/A.
-  const double share = -2.0 * coefficient * beam->area() / beam->second_moment_of_area();
-  if (std::abs(share - 1.0) < 0.1) return "as with rotary inertia (Rayleigh's beam)";
-  if (share > 3.0 && share < 4.8)
-    return fmt::format(
-        "as with a Timoshenko beam or a solid, (beta r)^2/2 (1 + E/(k G)), here with E/(k G) = {:.2g}",
-        share - 1.0);
-  return discrete;
+  if (beam == nullptr) return "as with lumped masses or finite differences";
+  return fmt::format(
+      "as with lumped masses on about {} cubic elements, or finite differences of {} intervals",
+      elements_of(1.0 / 78.0, coefficient, *beam), elements_of(1.0 / 12.0, coefficient, *beam));
 }
 
 // Consistent masses have the leading error (beta l)^4/1440 and lumped ones without rotary inertia -(beta l)^4/1440.
@@ -407,6 +390,19 @@ std::string fourth_power_growth(double coefficient, const data::Beam* beam) {
 }
 
 }  // namespace
+
+Values mesh_frequencies(const data::Beam& beam, int elements, bool is_slip, int count) {
+  const solver::BeamModel mesh(beam, elements);
+  const int most = static_cast<int>(mesh.degrees_of_freedom()) - (is_slip ? 0 : 1);
+  Values hz;
+  try {
+    for (const auto& mode : (is_slip ? solver::slip_modes : solver::stick_modes)(mesh, std::min(count, most)))
+      hz.push_back(mode.angular_frequency / two_pi);
+  } catch (const data::InputError&) {
+    return {};
+  }
+  return hz;
+}
 
 Found pattern_of(const ComparedValues& values, const data::Beam* beam, bool is_slip) {
   if (values.theirs == values.reference) return {};

@@ -5,6 +5,7 @@
 /// and errors that grow with the mode number.
 
 #include <optional>
+#include <vector>
 
 #include "comparison/diagnosis/ranking.hpp"
 #include "stickslip/data/problem.hpp"
@@ -20,11 +21,16 @@ namespace stickslip::comparison {
 [[nodiscard]] std::optional<Hypothesis> pattern_of(const ComparedValues& values,
                                                    const data::Beam* beam = nullptr, bool is_slip = false);
 
+/// The lowest natural frequencies on a mesh of cubic Hermite elements, Hz, as many as the mesh has but at most `count`;
+/// empty if one is complex.
+[[nodiscard]] std::vector<double> mesh_frequencies(const data::Beam& beam, int elements, bool is_slip,
+                                                   int count);
+
 /// Values that all are below 1e-4 of the largest of the data set.
 [[nodiscard]] std::optional<Hypothesis> zeros_of(const ComparedValues& values);
 
 /// A relative error c beta^4 or c beta^2 of natural frequencies, which go with beta^2: one c to 25 % (empirical)
-/// over at least three modes that span a factor of three. `beam` tells a Timoshenko beam from lumped masses.
+/// over at least three modes that span a factor of three. With `beam` the number of elements is told.
 [[nodiscard]] std::optional<Hypothesis> growth_of(const ComparedValues& values, const data::Beam* beam);
 
 }  // namespace stickslip::comparison

@@ -22,6 +22,8 @@ using Values = std::vector<double>;
 // Allowed probability that an unrelated error is assigned to a hypothesis.
 constexpr double accidental_share = 0.01;
 constexpr std::size_t most_named = 3;  // in a sentence
+// What is farther away explains nothing, however far the reference is; empirical.
+constexpr double farthest = 0.2;
 
 double root_mean_square(const Values& values) {
   double sum = 0.0;
@@ -158,7 +160,8 @@ Diagnosis diagnose(const ModelResults& results, const Values& values, const Valu
     diagnosis.finding = Finding::correct;
     name_indistinguishable_from(reference, -1.0);
   } else if (const Hypothesis* const nearest = nearest_of(diagnosis);
-             nearest != nullptr && nearest->distance * diagnosis.required_ratio <= diagnosis.from_reference) {
+             nearest != nullptr && nearest->distance <= farthest &&
+             nearest->distance * diagnosis.required_ratio <= diagnosis.from_reference) {
     diagnosis.finding = Finding::mistaken;
     name_indistinguishable_from(nearest->values, diagnosis.uncertainty);
   } else {

@@ -205,9 +205,14 @@ double coefficient_at(const data::FrictionLaw& friction, double v) {
 
 void take_the_relative_displacement(const data::Case& problem, Quantity quantity,
                                     const std::vector<double>& abscissa, std::vector<double>& values) {
-  if (quantity != stick_displacement && quantity != tip_displacement) return;
+  const bool is_displacement =
+      quantity == stick_displacement || quantity == tip_displacement || quantity == midspan_displacement;
+  const bool is_velocity =
+      quantity == stick_velocity || quantity == tip_velocity || quantity == midspan_velocity;
+  if (!is_displacement && !is_velocity) return;
   const solver::PrescribedMotion base = solver::harmonic_motion(problem.excitation);
-  for (std::size_t i = 0; i < values.size(); ++i) values[i] -= base.displacement(abscissa[i]);
+  for (std::size_t i = 0; i < values.size(); ++i)
+    values[i] -= (is_velocity ? base.velocity : base.displacement)(abscissa[i]);
 }
 
 solver::PrescribedMotion cosine_motion(const data::HarmonicExcitation& excitation) {
@@ -306,7 +311,8 @@ Recipes contact_force_mistakes() {
                        "u is reported instead of y = h + u",
                        "Fig. 1",
                        {stick_displacement, tip_displacement}},
-       .reading = take_the_relative_displacement},
+       .reading = take_the_relative_displacement,
+       .is_relative = true},
       {.wrong_model = {"wall-moves-with-base", "the tip sticks to the base: v_s is u_t instead of y_t",
                        "Eq. (3)", Quantities{participation} + held_motion + stick_slip},
        .equations = [](StickSum& sum, const data::Case&) { let_the_wall_move_with_the_base(sum); },
@@ -393,15 +399,15 @@ Recipes response_mistakes() {
              for (StickSum::Mode& mode : sum.modes)
                mode.initial_rate = mode.participation - mode.rigid_participation;
            },
-       .start = solver::InitialVelocity::zero},
+       .start = studies::Start::with_the_base},
       {.wrong_model = {"start-from-rest", "y_t(x,0) = 0, with the whole beam at rest while the base moves",
-                       "Sect. 3, initial conditions", held_motion},
+                       "Sect. 3, initial conditions", held_motion + stick_slip},
        .equations =
            [](StickSum& sum, const data::Case& problem) {
              keep_the_modes_of_the_case(sum, problem);
              for (StickSum::Mode& mode : sum.modes) mode.initial_rate = mode.participation;
            },
-       .knows_stick_slip = false},
+       .start = studies::Start::at_rest},
       with_modes("one-mode", "one mode", 1),
       with_modes("two-modes", "two modes", 2),
       with_modes("three-modes", "three modes", 3),
@@ -452,17 +458,19 @@ Recipes discretisation_mistakes() {
        .scheme = scheme_of_case,
        .knows_stick_slip = false},
       {.wrong_model = {"ten-times-the-step", "the time step is ten times that of the case", "Sect. 3, [24]",
-                       held_motion + stick_slip},
+                       held_motion},
        .inputs = with_scheme(10.0),
-       .scheme = scheme_of_case},
+       .scheme = scheme_of_case,
+       .knows_stick_slip = false},
       {.wrong_model = {"spectral-radius-zero", "spectral radius 0 with the time step of the case",
                        "Sect. 3, [24]", held_motion + stick_slip},
        .inputs = with_scheme(1.0, 0.0),
        .scheme = scheme_of_case},
       {.wrong_model = {"strong-algorithmic-damping", "spectral radius 0 with ten times the step",
-                       "Sect. 3, [24]", held_motion + stick_slip},
+                       "Sect. 3, [24]", held_motion},
        .inputs = with_scheme(10.0, 0.0),
-       .scheme = scheme_of_case},
+       .scheme = scheme_of_case,
+       .knows_stick_slip = false},
   };
 }
 
@@ -480,6 +488,14 @@ Recipes damping_mistakes() {
          if (problem.damping.ratio() == 0.0 && problem.damping.kelvin_voigt() == 0.0) return std::nullopt;
          return with_damping(problem, {});
        }},
+      {.wrong_model =
+           {"structural-damping",
+            "the loss in a period does not depend on the frequency, and is right in the first mode",
+            "Eq. (1)",
+            {heat}},
+       .inputs = if_kelvin_voigt,
+       .is_structural = true,
+       .knows_stick_slip = false},
       {.wrong_model = {"mass-proportional-damping",
                        "damping goes with the mass, with the right ratio in the first mode", "Eq. (1)",
                        stick_slip},
@@ -493,15 +509,6 @@ Recipes damping_mistakes() {
          return with_damping(problem, data::Damping({.ratio = 0.5 * problem.damping.kelvin_voigt() * omega}));
        }},
   };
-}
-
-// The law times tanh(v_s/width), width in m/s.
-WrongModelRecipe smoothed_over(const char* name, const char* mistake, double width) {
-  return {.wrong_model = {name, mistake, "Eq. (6)", stick_slip},
-          .law = FrictionRule{[width](const data::FrictionLaw& law, double v) {
-                                return coefficient_at(law, std::abs(v)) * std::tanh(v / width);
-                              },
-                              false}};
 }
 
 Recipes friction_law_mistakes() {
@@ -528,11 +535,15 @@ Recipes friction_law_mistakes() {
          return sign(v) * coefficient_at(law, v);
        }}},
       smoothed_over(
-          "regularised-friction",
-          "the jump at v_s = 0 is smoothed over 10 mm/s, so that the tip creeps instead of sticking", 0.01),
+          {"regularised-friction",
+           "the jump at v_s = 0 is smoothed over 10 mm/s, so that the tip creeps instead of sticking",
+           "Eq. (6)", stick_slip},
+          0.01),
       smoothed_over(
-          "widely-regularised-friction",
-          "the jump at v_s = 0 is smoothed over 100 mm/s, so that the tip creeps instead of sticking", 0.1),
+          {"widely-regularised-friction",
+           "the jump at v_s = 0 is smoothed over 100 mm/s, so that the tip creeps instead of sticking",
+           "Eq. (6)", stick_slip},
+          0.1),
   };
 }
 
@@ -546,6 +557,14 @@ Recipes all_recipes() {
 }
 
 }  // namespace
+
+WrongModelRecipe smoothed_over(WrongModel wrong_model, double width) {
+  return {.wrong_model = std::move(wrong_model),
+          .law = FrictionRule{[width](const data::FrictionLaw& law, double v) {
+                                return coefficient_at(law, std::abs(v)) * std::tanh(v / width);
+                              },
+                              false}};
+}
 
 data::Case with_elements(const data::Case& problem, int elements) {
   return with_settings(problem, [=](data::NumericalChoices& choices) { choices.elements = elements; });

@@ -29,17 +29,20 @@ struct WrongModelRecipe {
   bool depends_on_mesh{};
   /// The row of f = row . q on the mesh of the case in the stick state.
   std::function<Eigen::RowVectorXd(const solver::BeamModel&)> force_row{};
+  /// Whether the damping of the steady vibration is multiplied by the first angular frequency over that of the excitation.
+  bool is_structural{};
   /// The scheme of the time integration of the modal equations.
   std::function<studies::ModalScheme(const data::Case&)> scheme{};
   /// The motion of the base in stick-slip. The run starts with the quasi-static shape to its displacement.
   std::function<solver::PrescribedMotion(const data::HarmonicExcitation&)> base{solver::harmonic_motion};
   /// The duration (s) over which |f_max| is searched.
   std::function<double(const data::Case&)> observed_for{};
-  solver::InitialVelocity start{solver::InitialVelocity::quasi_static};
+  studies::Start start{studies::Start::quasi_static};
   std::optional<studies::FrictionRule> law{};
   /// What it makes of a right result.
   std::function<void(const data::Case&, Quantity, const std::vector<double>&, std::vector<double>&)>
       reading{};
+  bool is_relative{};           ///< u is given instead of y, also in the steady vibration
   bool knows_stick_slip{true};  ///< false if the mistake is possible in a model of the stick state only
 };
 
@@ -48,6 +51,9 @@ struct WrongModelRecipe {
 
 /// One of them. Throws std::invalid_argument if there is none of that name.
 [[nodiscard]] const WrongModelRecipe& recipe_of(std::string_view wrong_model);
+
+/// The law times tanh(v_s/width), width in m/s.
+[[nodiscard]] WrongModelRecipe smoothed_over(WrongModel wrong_model, double width);
 
 /// The case with settings that `change` makes of its own ones.
 template <class Change>

@@ -7,8 +7,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 #include <limits>
+#include <map>
 #include <memory>
+#include <mutex>
 #include <stdexcept>
 
 #include "comparison/diagnosis/wrong_model_recipes.hpp"
@@ -42,14 +45,15 @@ const WrongModelRecipe& right_model() {
   return model;
 }
 
-bool is_of_stick_slip(Quantity quantity) {
-  return quantity == contact_event || quantity == tip_displacement || quantity == friction_force;
-}
+bool is_of_steady_state(Quantity quantity) { return quantity >= steady_amplitude && quantity <= heat; }
+
+bool is_of_stick_slip(Quantity quantity) { return quantity >= contact_event; }
 
 data::Norm norm_of(Quantity quantity) {
   const bool is_relative = quantity == stick_frequency || quantity == slip_frequency ||
                            quantity == force_maximum || quantity == critical_amplitude ||
-                           quantity == contact_event;
+                           quantity == steady_amplitude || quantity == steady_force_amplitude ||
+                           quantity == heat || quantity == contact_event;
   return is_relative ? data::Norm::relative : data::Norm::scale;
 }
 
@@ -70,7 +74,7 @@ void require_abscissa(const data::Case& problem, Quantity quantity, const std::v
     else if (quantity == quasi_static_shape)
       require(x >= 0.0 && x <= problem.beam.length(), x,
               fmt::format("a position from 0 to {} m", problem.beam.length()));
-    else if (quantity == force_maximum || quantity == critical_amplitude)
+    else if (quantity == force_maximum || quantity == critical_amplitude || is_of_steady_state(quantity))
       require(x > 0.0 && std::isfinite(x), x, "a frequency above 0 Hz");
     else
       require(x >= 0.0 && std::isfinite(x), x, "a time from 0 s on");
@@ -98,8 +102,9 @@ MeshedBeam meshed_beam(const WrongModelRecipe& model, const data::Case& problem,
 
 // Whether natural frequencies and the stick state are computed on the mesh.
 bool uses_mesh(const WrongModelRecipe& model, Quantity quantity) {
+  const Quantity listed = quantity == stick_velocity ? stick_displacement : quantity;
   return (model.mesh || model.force_row) && !model.equations &&
-         std::ranges::count(model.wrong_model.changes, quantity) > 0;
+         std::ranges::count(model.wrong_model.changes, listed) > 0;
 }
 
 MeshedBeam linear_beam(const WrongModelRecipe& model, const data::Case& problem) {
@@ -180,7 +185,9 @@ HeldHistory held_in_steps(const StickSum& sum, const studies::ModalScheme& schem
 
 HeldHistory held_history(const WrongModelRecipe& model, const data::Case& problem, Quantity quantity,
                          double end) {
-  const auto reading = quantity == stick_displacement ? StickReading::displacement : StickReading::force;
+  const auto reading = quantity == stick_displacement || quantity == stick_velocity
+                           ? StickReading::displacement
+                           : StickReading::force;
   if (model.scheme)
     return held_in_steps(sum_of(model, problem, quantity), model.scheme(problem), problem, reading, end);
   if (model.equations || uses_mesh(model, quantity))
@@ -238,6 +245,11 @@ OptionalValues modal_values(const WrongModelRecipe& model, const data::Case& pro
 
 OptionalValues held_values(const WrongModelRecipe& model, const data::Case& problem, double normal_force,
                            Quantity quantity, const std::vector<double>& abscissa) {
+  if (quantity == stick_velocity) {  // by a difference
+    const double step = model.scheme ? model.scheme(problem).step : 1e-5;
+    const auto at = held_history(model, problem, quantity, std::ranges::max(abscissa) + step).at;
+    return at_each(abscissa, [&](double t) { return (at(t + step) - at(t - step)) / (2.0 * step); });
+  }
   if (quantity == stick_force || quantity == stick_displacement)
     return at_each(abscissa, held_history(model, problem, quantity, std::ranges::max(abscissa)).at);
   const double duration = model.observed_for ? model.observed_for(problem) : problem.numerics.duration();
@@ -246,26 +258,94 @@ OptionalValues held_values(const WrongModelRecipe& model, const data::Case& prob
   return std::vector{problem.friction.static_coefficient() * normal_force / largest};
 }
 
+// The steady vibration with the tip held, on the mesh of the case: (K + i W C - W^2 M) u = load, u(L) = -A0.
+std::vector<double> steady_values(const WrongModelRecipe& model, const data::Case& problem, Quantity quantity,
+                                  const std::vector<double>& frequencies) {
+  using Complex = std::complex<double>;
+  const solver::ContactSystem system = meshed_beam(model, problem, 0.0).system;
+  const Eigen::MatrixXd stiffness(system.slip_stiffness), mass(system.mass), damping(system.damping);
+  const double amplitude = problem.excitation.amplitude();
+  const double first = analytic::stick_modes(problem.beam, 1).front().angular_frequency();
+  const Eigen::Index c = system.contact;
+  return at_each(frequencies, [&](double hz) {
+    const double omega = two_pi * hz, loss = model.is_structural ? first : omega;
+    Eigen::MatrixXcd whole(stiffness.rows(), stiffness.cols());
+    whole.real() = stiffness - omega * omega * mass;
+    whole.imag() = loss * damping;
+    const Eigen::VectorXcd load = (-omega * omega * amplitude * system.load_shape).cast<Complex>();
+    Eigen::MatrixXcd held = whole;
+    held.row(c).setZero();
+    held(c, c) = 1.0;
+    Eigen::VectorXcd prescribed = load;
+    prescribed[c] = -amplitude;
+    const Eigen::VectorXcd u = held.partialPivLu().solve(prescribed);
+    const Complex middle = (model.is_relative ? 0.0 : amplitude) + u[std::max<Eigen::Index>(c / 2 - 1, 0)];
+    const Complex force = load[c] - (whole.row(c) * u)(0);
+    if (quantity == steady_amplitude) return std::abs(middle);
+    if (quantity == steady_phase) return std::arg(middle);
+    if (quantity == steady_force_amplitude) return std::abs(force);
+    if (quantity == steady_force_phase) return std::arg(force);
+    return 0.5 * two_pi * loss * u.dot(damping.cast<Complex>() * u).real();
+  });
+}
+
+const std::vector<double>& history_of(const studies::TipRun& run, Quantity quantity) {
+  switch (quantity) {
+    case tip_displacement:
+      return run.tip_displacement;
+    case tip_velocity:
+      return run.tip_velocity;
+    case midspan_displacement:
+      return run.midspan_displacement;
+    case midspan_velocity:
+      return run.midspan_velocity;
+    default:
+      return run.friction_force;
+  }
+}
+
+studies::TipRun run_of(const WrongModelRecipe& model, const data::Case& problem, double normal_force,
+                       const studies::RunEnd& end) {
+  const MeshedBeam beam = meshed_beam(model, problem, normal_force);
+  const auto base = model.base(problem.excitation);
+  return model.law ? studies::tip_run(beam.system, base, problem.numerics, *model.law, end)
+                   : studies::tip_run(beam.system, base, problem.numerics, model.start, end);
+}
+
+// The run, which several quantities ask for. The last runs are kept.
+std::shared_ptr<const studies::TipRun> kept_run(const WrongModelRecipe& model, const data::Case& problem,
+                                                double normal_force, const studies::RunEnd& end) {
+  constexpr std::size_t most = 256;
+  static std::mutex mutex;
+  static std::map<std::string, std::shared_ptr<const studies::TipRun>> kept;
+  std::string key = fmt::format("{} {} {} {}", model.wrong_model.name, normal_force, end.time, end.events);
+  for (const auto& [path, number] : data::numbers_of(problem)) key += fmt::format(" {}", number);
+  {
+    const std::scoped_lock lock(mutex);
+    if (const auto found = kept.find(key); found != kept.end()) return found->second;
+  }
+  auto run = std::make_shared<const studies::TipRun>(run_of(model, problem, normal_force, end));
+  const std::scoped_lock lock(mutex);
+  if (kept.size() >= most) kept.clear();
+  return kept[key] = std::move(run);
+}
+
 OptionalValues stick_slip_values(const WrongModelRecipe& model, const data::Case& problem,
                                  double normal_force, Quantity quantity,
                                  const std::vector<double>& abscissa) {
   if (!model.knows_stick_slip) return std::nullopt;
-  const MeshedBeam beam = meshed_beam(model, problem, normal_force);
   const studies::RunEnd end =
       quantity == contact_event
           ? studies::RunEnd{problem.numerics.duration(), static_cast<std::size_t>(highest(abscissa))}
           : studies::RunEnd{std::ranges::max(abscissa)};
-  const auto base = model.base(problem.excitation);
-  const studies::TipRun run = model.law
-                                  ? studies::tip_run(beam.system, base, problem.numerics, *model.law, end)
-                                  : studies::tip_run(beam.system, base, problem.numerics, model.start, end);
+  const auto kept = kept_run(model, problem, normal_force, end);
+  const studies::TipRun& run = *kept;
   return at_each(abscissa, [&](double x) {
     if (quantity == contact_event) {
       const auto index = static_cast<std::size_t>(rounded(x) - 1);
       return index < run.events.size() ? run.events[index] : infinity;
     }
-    return interpolated(quantity == tip_displacement ? run.tip_displacement : run.friction_force, run.step,
-                        x);
+    return interpolated(history_of(run, quantity), run.step, x);
   });
 }
 
@@ -287,8 +367,15 @@ OptionalValues raw_values(const WrongModelRecipe& model, const data::Case& given
     }
     case stick_force:
     case stick_displacement:
+    case stick_velocity:
     case force_maximum:
       return held_values(model, *problem, normal_force, quantity, abscissa);
+    case steady_amplitude:
+    case steady_phase:
+    case steady_force_amplitude:
+    case steady_force_phase:
+    case heat:
+      return steady_values(model, *problem, quantity, abscissa);
     case critical_amplitude: {
       // Converts to the given amplitude, which the model may have changed.
       auto values = held_values(model, *problem, normal_force, quantity, abscissa);
@@ -298,6 +385,9 @@ OptionalValues raw_values(const WrongModelRecipe& model, const data::Case& given
     case contact_event:
     case tip_displacement:
     case friction_force:
+    case tip_velocity:
+    case midspan_displacement:
+    case midspan_velocity:
       return stick_slip_values(model, *problem, normal_force, quantity, abscissa);
   }
   return none;
@@ -383,13 +473,7 @@ std::optional<double> distance_of(const ModelResults& model_results, const std::
 
 }  // namespace
 
-std::string_view name_of(Quantity quantity) {
-  static constexpr std::array<std::string_view, all_quantities.size()> names{
-      "stick frequency", "slip frequency",     "participation", "quasi-static shape",
-      "force maximum",   "critical amplitude", "stick force",   "stick displacement",
-      "contact event",   "tip displacement",   "friction force"};
-  return names.at(static_cast<std::size_t>(quantity));
-}
+std::string_view name_of(Quantity quantity) { return quantity_names.at(static_cast<std::size_t>(quantity)); }
 
 const std::vector<WrongModel>& wrong_models() {
   static const std::vector<WrongModel> all = [] {
@@ -427,6 +511,15 @@ std::optional<std::vector<double>> result_with(const data::Case& problem, std::s
   } catch (const data::InputError&) {
     return std::nullopt;
   }
+}
+
+std::optional<std::vector<double>> result_smoothed_over(const data::Case& problem, double width,
+                                                        Quantity quantity,
+                                                        const std::vector<double>& abscissa) {
+  return wrong_values(
+      smoothed_over(
+          {.name = fmt::format("smoothed over {}", width), .mistake = {}, .place = {}, .changes = {}}, width),
+      problem, quantity, abscissa);
 }
 
 ModelResults model_results(const data::Case& problem, Quantity quantity, const std::vector<double>& abscissa,

@@ -20,22 +20,44 @@
 
 namespace stickslip::comparison {
 
-/// The quantities that can be compared, with their abscissas. In the first eight the tip is held or free
-/// without friction; the last three belong to the stick-slip run.
+/// The quantities that can be compared, with their abscissas. In the first nine the tip is held or free without friction, and
+/// there is no damping; in the next five it is held. The others belong to a run with stick and slip.
 enum class Quantity {
-  stick_frequency,     ///< Hz, over the mode number 1, 2, ...
-  slip_frequency,      ///< Hz, over the mode number
-  participation,       ///< C_n of Eq. (25), over the mode number
-  quasi_static_shape,  ///< S(x) of Eq. (18), over x in m
-  force_maximum,       ///< |f_max| over numerics.duration(), N, over the excitation frequency in Hz
-  critical_amplitude,  ///< m, over the excitation frequency in Hz
-  stick_force,         ///< f(t) of Eq. (28), N, over t in s
-  stick_displacement,  ///< y(L/2, t), m, over t in s
-  contact_event,       ///< time in s of the onset or capture number 1, 2, ...; infinite if it does not occur
-  tip_displacement,    ///< y(L, t), m, over t in s
-  friction_force       ///< f(t), N, over t in s
+  stick_frequency,         ///< Hz, over the mode number 1, 2, ...
+  slip_frequency,          ///< Hz, over the mode number
+  participation,           ///< C_n of Eq. (25), over the mode number
+  quasi_static_shape,      ///< S(x) of Eq. (18), over x in m
+  force_maximum,           ///< |f_max| over numerics.duration(), N, over the excitation frequency in Hz
+  critical_amplitude,      ///< m, over the excitation frequency in Hz
+  stick_force,             ///< f(t) of Eq. (28), N, over t in s
+  stick_displacement,      ///< y(L/2, t), m, over t in s
+  stick_velocity,          ///< y_t(L/2, t), m/s, over t in s
+  steady_amplitude,        ///< of y(L/2), m, over the excitation frequency in Hz
+  steady_phase,            ///< of y(L/2) against the base, rad, over the excitation frequency in Hz
+  steady_force_amplitude,  ///< of f, N, over the excitation frequency in Hz
+  steady_force_phase,      ///< of f against the base, rad, over the excitation frequency in Hz
+  heat,                    ///< of a period of the steady vibration, J, over the excitation frequency in Hz
+  contact_event,     ///< time in s of the onset or capture number 1, 2, ...; infinite if it does not occur
+  tip_displacement,  ///< y(L, t), m, over t in s
+  friction_force,    ///< f(t), N, over t in s
+  tip_velocity,      ///< y_t(L, t), m/s, over t in s
+  midspan_displacement,  ///< y(L/2, t), m, over t in s
+  midspan_velocity       ///< y_t(L/2, t), m/s, over t in s
 };
 
+inline constexpr std::array<std::string_view, 20> quantity_names{
+    "stick frequency",      "slip frequency",
+    "participation",        "quasi-static shape",
+    "force maximum",        "critical amplitude",
+    "stick force",          "stick displacement",
+    "stick velocity",       "steady amplitude",
+    "steady phase",         "steady force amplitude",
+    "steady force phase",   "heat",
+    "contact event",        "tip displacement",
+    "friction force",       "tip velocity",
+    "midspan displacement", "midspan velocity"};
+
+/// Those of which each wrong model lists whether it changes them.
 inline constexpr std::array all_quantities{
     Quantity::stick_frequency,    Quantity::slip_frequency,     Quantity::participation,
     Quantity::quasi_static_shape, Quantity::force_maximum,      Quantity::critical_amplitude,
@@ -47,10 +69,10 @@ inline constexpr std::array all_quantities{
 
 /// A wrong model.
 struct WrongModel {
-  std::string name;     ///< such as "zero-initial-velocity"
-  std::string mistake;  ///< the mistake, in one clause
-  std::string place;    ///< the equation or section of the paper that it concerns
-  std::vector<Quantity> changes;
+  std::string name;               ///< such as "zero-initial-velocity"
+  std::string mistake;            ///< the mistake, in one clause
+  std::string place;              ///< the equation or section of the paper that it concerns
+  std::vector<Quantity> changes;  ///< of all_quantities; or another one, if none of them
 };
 STICKSLIP_MEMBERS(WrongModel, (name, "-"), (mistake, "-"), (place, "-"))
 
@@ -81,6 +103,11 @@ STICKSLIP_MEMBERS(WrongModel, (name, "-"), (mistake, "-"), (place, "-"))
 [[nodiscard]] std::optional<std::vector<double>> result_with(const data::Case& problem, std::string_view key,
                                                              double factor, Quantity quantity,
                                                              const std::vector<double>& abscissa);
+
+/// The result of the case in a run with the friction law times tanh(v_s/width), width in m/s; empty as above.
+[[nodiscard]] std::optional<std::vector<double>> result_smoothed_over(const data::Case& problem, double width,
+                                                                      Quantity quantity,
+                                                                      const std::vector<double>& abscissa);
 
 /// The results of the right model and of all wrong models. The uncertainty of the reference is 1e-9 in closed form; in
 /// stick-slip it is the distance from a run with twice the time step and half the elements, which is at least three

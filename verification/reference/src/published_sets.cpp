@@ -301,6 +301,27 @@ DataSet published_problems() {
               {"position", "m", "of the mass", Norm::scale, 1e-6}});
   resource.comparison->kind = data::ComparisonKind::events;
   resource.primary_key = {"problem", "index"};
+  resource.problem = R"({
+      "problem": {"column": "problem"},
+      "incline-stays": {"gravity": 9.81, "slope": 0.45, "static_coefficient": 0.5, "kinetic_coefficient": 0.3,
+                        "position": 0.25, "velocity": 0},
+      "incline-slides": {"gravity": 9.81, "slope": 0.55, "static_coefficient": 0.5, "kinetic_coefficient": 0.3,
+                         "position": 0.25, "velocity": 0},
+      "incline-goes-on": {"gravity": 9.81, "slope": 0.45, "static_coefficient": 0.5, "kinetic_coefficient": 0.3,
+                          "position": 0.25, "velocity": 1},
+      "sdnd100": {"mass": 1, "stiffness": 1e4, "friction_force": 1, "position": 0.85e-3, "velocity": 0},
+      "sdnd106": {"mass": 5, "other_mass": 5, "coupling": 1e4, "static_coefficient": 0.3, "kinetic_coefficient": 0.2,
+                  "normal_force": 1e4, "pull": {"force": 3000, "until": 0.2}, "position": 0, "velocity": 0},
+      "den-hartog": {"mass": 1, "stiffness": 100, "friction_force": 5, "force": {"amplitude": 20, "angular_frequency": 8},
+                     "position": -0.173009592359444, "velocity": 4.00402328243824},
+      "hong-liu-1": {"mass": 1, "stiffness": 100, "friction_force": 5, "force": {"amplitude": 15, "angular_frequency": 5},
+                     "position": 0, "velocity": 0},
+      "hong-liu-2": {"mass": 1, "stiffness": 100, "friction_force": 5, "force": {"amplitude": 15, "angular_frequency": 3},
+                     "position": 0, "velocity": 0},
+      "hong-liu-4": {"mass": 1, "stiffness": 100, "friction_force": 5, "force": {"amplitude": 15, "angular_frequency": 2},
+                     "position": 0, "velocity": 0},
+      "hong-liu-6": {"mass": 1, "stiffness": 100, "friction_force": 5, "force": {"amplitude": 7.5, "angular_frequency": 0.6},
+                     "position": 0, "velocity": 0}})";
   resource.provenance =
       published_provenance("the piecewise closed form",
                            {"the event-driven engine and the time stepper, to round-off and to order two"});
@@ -329,6 +350,9 @@ DataSet stops_per_period() {
                      exact_number("force_ratio", "", "G/(mu N)"), exact_number("stops", "", "in the period")};
   resource.primary_key = {"frequency_ratio", "force_ratio"};
   resource.comparison = by_rows({{"stops", Norm::absolute, 0.1}});
+  resource.problem =
+      R"({"frequency_ratio": {"column": "frequency_ratio"}, "force_ratio": {"column": "force_ratio"},
+          "position": 0, "velocity": 0, "period": 4})";
   resource.provenance =
       published_provenance("the piecewise closed form", {"the event-driven engine and the time stepper"});
   const PrecisionScope scope(published_bits);
@@ -350,6 +374,9 @@ DataSet non_stop_limits() {
   set_key(resource, {exact_number("frequency_ratio", "", "r")});
   add_values(resource, ValueClass::enclosed,
              {{"force_ratio", "", "G/(mu N) at the limit", Norm::relative, 1e-3}});
+  resource.problem =
+      R"({"frequency_ratio": {"column": "frequency_ratio"}, "initial_state": "none: steady motion",
+          "sought": "force_ratio"})";
   resource.provenance = published_provenance("the closed form", {"runs on both sides of the limit"});
   const PrecisionScope scope(published_bits);
   for (const char* r : {"0.6", "0.7", "0.8", "0.9", "1.1", "1.25", "1.5", "2", "3"})

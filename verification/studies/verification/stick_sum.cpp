@@ -65,6 +65,17 @@ double sliding_velocity(const FrictionRule& law, const data::FrictionLaw& fricti
   return 0.5 * (low + high);
 }
 
+void add_sample(TipRun& run, Eigen::Index contact, const solver::PrescribedMotion& base, double t,
+                const Eigen::VectorXd& displacement, const Eigen::VectorXd& velocity, double force) {
+  const Eigen::Index middle = std::max<Eigen::Index>(contact / 2 - 1, 0);
+  const double h = base.displacement(t), rate = base.velocity(t);
+  run.tip_displacement.push_back(h + displacement[contact]);
+  run.midspan_displacement.push_back(h + displacement[middle]);
+  run.tip_velocity.push_back(rate + velocity[contact]);
+  run.midspan_velocity.push_back(rate + velocity[middle]);
+  run.friction_force.push_back(-force);
+}
+
 }  // namespace
 
 StickSum stick_sum(const data::Beam& beam, int modes) {
@@ -219,19 +230,23 @@ std::vector<double> stepped(const StickSum& sum, const ModalScheme& scheme,
 }
 
 TipRun tip_run(const solver::ContactSystem& system, const solver::PrescribedMotion& base,
-               const data::NumericalSettings& numerics, solver::InitialVelocity start, const RunEnd& end) {
+               const data::NumericalSettings& numerics, Start start, const RunEnd& end) {
   solver::StickSlipIntegrator run(system, {.time_step = numerics.time_step(),
                                            .spectral_radius = numerics.spectral_radius(),
                                            .velocity_threshold = numerics.velocity_threshold()});
   const Eigen::VectorXd shape = quasi_static_shape(system);
-  const double velocity = start == solver::InitialVelocity::zero ? 0.0 : system.wall.velocity(0.0);
-  run.start_stuck(system.wall.displacement(0.0) * shape, velocity * shape);
+  Eigen::VectorXd velocity = Eigen::VectorXd::Zero(shape.size());
+  if (start == Start::quasi_static) velocity = system.wall.velocity(0.0) * shape;
+  if (start == Start::at_rest)  // all deflections move against the base, as the wall does
+    for (Eigen::Index i = system.contact % 2; i < shape.size(); i += 2)
+      velocity[i] = system.wall.velocity(0.0);
+  run.start_stuck(system.wall.displacement(0.0) * shape, velocity);
   TipRun result{.step = numerics.time_step()};
   const long steps = std::lround(std::ceil(end.time / result.step - 1e-6));
   for (long n = 0; n <= steps; ++n) {
     if (n > 0) run.step();
-    result.tip_displacement.push_back(base.displacement(run.time()) + run.displacement()[system.contact]);
-    result.friction_force.push_back(-run.friction_force());
+    add_sample(result, system.contact, base, run.time(), run.displacement(), run.velocity(),
+               run.friction_force());
     if (run.events().size() >= end.events && event_times(run.events()).size() >= end.events) break;
   }
   result.events = event_times(run.events());
@@ -256,9 +271,8 @@ TipRun tip_run(const solver::ContactSystem& system, const solver::PrescribedMoti
   const Eigen::VectorXd shape = quasi_static_shape(system);
   Eigen::VectorXd q = system.wall.displacement(0.0) * shape;
   Eigen::VectorXd v = system.wall.velocity(0.0) * shape, free(q.size());
-  TipRun result{.step = numerics.time_step(),
-                .tip_displacement = {base.displacement(0.0) + q[c]},
-                .friction_force = {0.0}};
+  TipRun result{.step = numerics.time_step()};
+  add_sample(result, c, base, 0.0, q, v, 0.0);
   bool sliding = false;
   const long steps = substeps * std::lround(std::ceil(end.time / result.step - 1e-6));
   for (long n = 0; n < steps && result.events.size() < end.events; ++n) {
@@ -278,8 +292,7 @@ TipRun tip_run(const solver::ContactSystem& system, const solver::PrescribedMoti
     q += 0.5 * h * (v + free);
     v.swap(free);
     if ((n + 1) % substeps != 0) continue;
-    result.tip_displacement.push_back(base.displacement(next) + q[c]);
-    result.friction_force.push_back(-force);
+    add_sample(result, c, base, next, q, v, force);
   }
   return result;
 }

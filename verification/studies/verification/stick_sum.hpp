@@ -99,14 +99,19 @@ struct TipRun {
   double step{};                           ///< time between samples, s
   std::vector<double> tip_displacement{};  ///< y(L), m
   std::vector<double> friction_force{};    ///< f, N, sign of Eq. (28)
-  std::vector<double> events{};            ///< times of onsets and captures, s
+  std::vector<double> tip_velocity{};      ///< y_t(L), m/s
+  /// y(L/2), m, and y_t(L/2), m/s, if the mesh of a beam has an even number of elements.
+  std::vector<double> midspan_displacement{}, midspan_velocity{};
+  std::vector<double> events{};  ///< times of onsets and captures, s
 };
 
+/// The velocities of the start: the quasi-static shape to that of the base, u_t = 0, or y_t = 0.
+enum class Start { quasi_static, with_the_base, at_rest };
+
 /// A run by the integrator of the solver with located changes. The beam starts with the quasi-static shape to the
-/// displacement of the base, and that to its velocity unless `start` is zero.
+/// displacement of the base.
 [[nodiscard]] TipRun tip_run(const solver::ContactSystem& system, const solver::PrescribedMotion& base,
-                             const data::NumericalSettings& numerics, solver::InitialVelocity start,
-                             const RunEnd& end);
+                             const data::NumericalSettings& numerics, Start start, const RunEnd& end);
 
 /// A contact law of one's own: the coefficient of friction against a sliding velocity v, f_d = -c(v) N, odd
 /// or not, and whether a tip at rest is held by up to μ_s N.

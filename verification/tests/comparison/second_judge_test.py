@@ -66,6 +66,8 @@ def copies(table):
     yield "single precision", text_of([head, *([cell if table.types[name] != "number" or not cell else
                                                 repr(array.array("f", [float(cell)])[0]) for name, cell in zip(head, row)]
                                                for row in rows)]), []
+    yield "fifteen digits", text_of([head, *([cell if table.types[name] != "number" or not cell else f"{float(cell):.15g}"
+                                              for name, cell in zip(head, row)] for row in rows)]), []
     yield "a narrow tolerance", text_of([head, *rows]), ["--tolerance", "1e-9"]
     yield "a wide tolerance", text_of(changed(table, first, number(lambda x, row: 1.02 * x))), ["--tolerance", "0.1"]
     for word in (name for name in ("change", "phase", "verdict") if name in head):
@@ -101,7 +103,8 @@ class BothJudges(unittest.TestCase):
         description = cls.folder / "package/datapackage.json"
         package = json.loads(description.read_text())
         for resource in package["resources"]:
-            resource.pop("diagnosis", None)
+            for member in ("diagnosis", "problem"):  # without which nothing is computed
+                resource.pop(member, None)
         description.write_text(json.dumps(package))
 
     def verdicts(self, name, text, options):
@@ -249,6 +252,14 @@ class Data(unittest.TestCase):
         newest = (self.folder / "CHANGELOG.md").read_text().split("\n## ")[1]
         self.assertTrue(newest.startswith(self.package["version"] + ","), newest)
         self.assertIn(hashlib.sha256(tables.encode()).hexdigest(), newest)
+
+    def test_states_a_problem_for_each_word_of_its_column(self):
+        for resource in self.package["resources"][1:]:
+            problem = resource["problem"]
+            for member in problem.values():
+                if isinstance(member, dict) and member.get("column") in ("problem", "system"):
+                    words = {str(word) for word in stickslip.load(resource["name"])[member["column"]]}
+                    self.assertEqual(words, problem.keys() - {member["column"]}, resource["name"])
 
     def test_is_enough_to_solve_a_problem_or_to_say_why_not(self):
         folder = tempfile.TemporaryDirectory()

@@ -117,7 +117,8 @@ TEST_F(ReferenceReader, ReturnsWhatAPackageSays) {
   EXPECT_EQ(json::parse(history.problem)["tip"], "friction");
   EXPECT_EQ(history.stated.beam, "paper");
   EXPECT_EQ(history.stated.tip, "friction");
-  EXPECT_EQ(history.stated.numbers, (std::map<std::string, double>{{"excitation.amplitude", 1e-3}}));
+  EXPECT_EQ(history.stated.numbers,
+            (std::map<std::string, double>{{"duration", 0.4}, {"excitation.amplitude", 1e-3}}));
   EXPECT_EQ(package.resource("events").problem, "");
   EXPECT_EQ(history.field("z"), nullptr);
   EXPECT_EQ(history.primary_key, std::vector<std::string>{"t"});
