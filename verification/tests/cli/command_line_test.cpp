@@ -160,7 +160,7 @@ constexpr Refusal refusals[] = {
      "numerics.time_step=1e-8",
      "excitation.duration is 0.1678, but must be at most 0.168 s, 2^24 steps of 1e-08 s"},
     {"report --output report --only fig9,fig99",
-     "--only names the figure 'fig99', but must name some of fig1, fig2, "},
+     "--only names the figure 'fig99', but must name some of fig1, "},
     {"respond --duration 0.01 --output none/history.csv", "none/history.csv"},
     {"respond --duration 0.01 --output .", "Is a directory"},
     {"respond --duration 0.01 --output /dev/full", "No space left on device"},
