@@ -12,7 +12,6 @@
 #include "arguments.hpp"
 #include "beam_constants.hpp"
 #include "root_finding.hpp"
-#include "wave_numbers.hpp"
 
 namespace stickslip::analytic {
 namespace {

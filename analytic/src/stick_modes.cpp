@@ -9,7 +9,6 @@
 #include "beam_constants.hpp"
 #include "root_finding.hpp"
 #include "special_functions.hpp"
-#include "wave_numbers.hpp"
 
 namespace stickslip::analytic {
 namespace {
