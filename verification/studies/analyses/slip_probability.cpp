@@ -362,13 +362,13 @@ SlipUncertainty slip_uncertainty(const data::Case& problem, const data::Uncertai
                                   [&](std::span<const double> values) { return verdicts.at(values); });
   add_quantiles(result, samples);
   if (!sampling.band) {
-    const analytic::Criterion nominal = criterion_of_all_modes(problem);
+    std::optional<analytic::Bounds> force;
+    if (verdicts.have_one_force()) force = criterion_of_all_modes(problem).force_max;
     const auto slips = [&](std::span<const double> values) {
       const data::Case sample = case_at(problem, uncertainty.keys, values);
-      if (!verdicts.have_one_force())
-        return criterion_of_all_modes(sample).verdict == analytic::Verdict::stick_slip;
+      if (!force) return criterion_of_all_modes(sample).verdict == analytic::Verdict::stick_slip;
       const double ratio = sample.excitation.amplitude() / problem.excitation.amplitude();
-      return ratio * nominal.force_max.lower > friction_limit(sample);
+      return ratio * force->lower > friction_limit(sample);
     };
     result.all_modes =
         all_modes_of(samples, results_of(all_modes, joint, sampling, part(all_modes_work), slips));
