@@ -305,8 +305,10 @@ class Search {
     };
     add(frequencies(all, rigid * usual), "like a beam with rotary inertia and without shear (Rayleigh's)");
     add(frequencies(none, usual), "like a beam with shear and without rotary inertia");
-    if (!is_timoshenko) add(frequencies(all, usual), "like a Timoshenko beam with k = 5/6 and nu = 0.3");
-    if (!is_timoshenko) return found;
+    if (!is_timoshenko) {
+      add(frequencies(all, usual), "like a Timoshenko beam with k = 5/6 and nu = 0.3");
+      return found;
+    }
     add(frequencies(none, rigid * usual), "like a beam of Euler and Bernoulli");
     for (const auto& [text, k, nu] : {std::tuple{"k = 1", 1.0, ratio},
                                       {"Cowper's k = 10 (1 + nu)/(12 + 11 nu)", 13.0 / 15.3, ratio},
