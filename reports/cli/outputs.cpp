@@ -95,14 +95,12 @@ void Outputs::open(const std::vector<Named>& files) {
 }
 
 void Outputs::on_interrupt(std::function<std::string()> sentence) {
-  std::unique_lock<std::mutex> undisturbed;
-  if (interruption_) undisturbed = hold();
+  const auto undisturbed = hold();
   sentence_ = std::move(sentence);
 }
 
 report::Progress& Outputs::progress(std::string_view part, std::size_t items) {
-  std::unique_lock<std::mutex> undisturbed;
-  if (interruption_) undisturbed = hold();
+  const auto undisturbed = hold();
   const bool shares_terminal = takes_standard_output() && ::isatty(STDOUT_FILENO) == 1;
   return progress_.emplace(fmt::format("stickslip {}{}", command_, part),
                            report::Progress::standard_error(is_quiet_ || shares_terminal), items);

@@ -76,8 +76,10 @@ class Outputs {
   /// The same for --figure; `drawing` is given what --figure, --size and --title ask for, and else that title.
   void draw(const std::string& title, const std::function<std::string(const report::Look&)>& drawing);
 
-  /// No signal ends the program while the result lives. After open().
-  [[nodiscard]] std::unique_lock<std::mutex> hold() { return interruption_->hold(); }
+  /// No signal ends the program while the result lives. Nothing is there to be left half-written before open().
+  [[nodiscard]] std::unique_lock<std::mutex> hold() {
+    return interruption_ ? interruption_->hold() : std::unique_lock<std::mutex>();
+  }
 
   [[nodiscard]] bool is_json() const noexcept { return is_json_; }
   [[nodiscard]] bool is_quiet() const noexcept { return is_quiet_; }
