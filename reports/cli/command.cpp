@@ -27,7 +27,7 @@ void finish(Answer answer, Outputs& outputs) {
 
 void throw_naming_option(const data::FieldError& error, const std::vector<data::Override>& given) {
   const auto option = std::ranges::find(given, error.field(), &data::Override::key);
-  if (option == given.end()) throw error;
+  if (option == given.end()) throw;
   throw data::InputError(fmt::format("{}: {}", option->place, error.what()));
 }
 

@@ -32,7 +32,7 @@ void add_examples(CLI::App& command, const std::vector<std::string>& lines);
 /// Prints the answer. Throws CLI::RuntimeError with the status of the answer if that is not 0.
 void finish(Answer answer, Outputs& outputs);
 
-/// Throws the error again, beginning with the option that gave its field if it is one of these.
+/// Where the error is caught: throws it again, beginning with the option that gave its field if it is one of these.
 [[noreturn]] void throw_naming_option(const data::FieldError& error,
                                       const std::vector<data::Override>& given);
 
