@@ -2,23 +2,12 @@
 #include "case_options.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include <algorithm>
-#include <cmath>
-#include <filesystem>
 
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/data/csv_text.hpp"
 #include "stickslip/data/input_text.hpp"
-#include "stickslip/data/units.hpp"
 
 namespace stickslip::cli {
-
-void add_package_option(CLI::App& command, std::string& package) {
-  command.add_option("--package", package, "Folder with another data package (else that of stickslip)")
-      ->check(folder());
-}
 
 void add_set_option(CLI::App& command, std::vector<std::string>& overrides, const std::string& help) {
   command.add_option("--set", overrides, help)->type_name("TABLE.KEY=VALUE")->allow_extra_args(false);
@@ -34,69 +23,6 @@ void add_case_options(CLI::App& command, CaseOptions& options) {
           "--digits", [](const int& digits) { set_most_digits(digits); },
           "Significant digits in the text at most (default: 6; --json has all of them)")
       ->check(integer_between(1, 17));
-}
-
-namespace {
-
-// What follows the name of an option in an error message.
-std::string is_not(const std::string& text, std::string_view allowed) {
-  return fmt::format("is {}, but must be {}", text.empty() ? "''" : data::printable(text), allowed);
-}
-
-}  // namespace
-
-CLI::Validator integer_between(long lowest, long highest) {
-  const auto check = [lowest, highest](const std::string& text) -> std::string {
-    const auto value = parse<long>(text);
-    if (value && lowest <= *value && *value <= highest) return "";
-    return is_not(text, fmt::format("an integer from {} to {}", lowest, highest));
-  };
-  return {check, fmt::format("{} ... {}", lowest, highest)};
-}
-
-CLI::Validator number(const std::string& unit, bool is_time) {
-  const auto check = [unit, is_time](std::string& text) -> std::string {
-    const auto value = data::quantity_in(text, unit);
-    if (is_time && (!value || !std::isfinite(*value) || *value < 0.0))
-      return is_not(text, "a finite number of 0 or more (s)");
-    if (!value) return is_not(text, data::quantity_allowed(text, unit));
-    text = data::shortest_text(*value);
-    return "";
-  };
-  return {check, ""};
-}
-
-CLI::Validator time() { return number("s", true); }
-
-CLI::Validator one_of(const std::vector<std::string>& names) {
-  const auto check = [names](const std::string& text) -> std::string {
-    if (std::ranges::find(names, text) != names.end()) return "";
-    return is_not(text + data::suggestion(text, names), "one of " + data::joined(names));
-  };
-  return {check, fmt::format("{{{}}}", fmt::join(names, ","))};
-}
-
-CLI::Validator file_name() {
-  return {[](const std::string& text) { return text.empty() ? is_not(text, "the name of a file") : ""; }, ""};
-}
-
-CLI::Validator folder() {
-  return {[](const std::string& text) {
-            std::error_code error;
-            return std::filesystem::is_directory(text, error) ? "" : is_not(text, "a folder that exists");
-          },
-          ""};
-}
-
-CLI::Option* add_file_option(CLI::App& command, const std::string& name, std::string& value,
-                             const std::string& help) {
-  auto* const option = command.add_option(name, value, help)->check(file_name());
-  return value.empty() ? option : option->capture_default_str();
-}
-
-CLI::Option* add_choice_option(CLI::App& command, const std::string& name, std::string& value,
-                               const std::vector<std::string>& names, const std::string& help) {
-  return command.add_option(name, value, help)->check(one_of(names))->capture_default_str();
 }
 
 CLI::Option* add_key_option(CLI::App& command, CaseOptions& options, const std::string& name,

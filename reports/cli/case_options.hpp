@@ -4,11 +4,9 @@
 /// What the subcommands have in common: which problem, and in which form to answer.
 
 #include <CLI/CLI.hpp>
-#include <charconv>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <vector>
 
 #include "answer.hpp"
@@ -29,7 +27,6 @@ struct CaseOptions {
   std::vector<data::Override> keys{};  ///< of options with a name of their own, which win
 };
 
-void add_package_option(CLI::App& command, std::string& package);
 void add_set_option(CLI::App& command, std::vector<std::string>& overrides, const std::string& help);
 void add_case_options(CLI::App& command, CaseOptions& options);
 /// An option that is short for --set KEY=VALUE.
@@ -39,39 +36,6 @@ CLI::Option* add_key_option(CLI::App& command, CaseOptions& options, const std::
 void add_excitation_options(CLI::App& command, CaseOptions& options);
 void add_duration_option(CLI::App& command, CaseOptions& options,
                          const std::string& otherwise = "else that of the case");
-
-/// The number that the whole text is, if it is one.
-template <class Number>
-[[nodiscard]] std::optional<Number> parse(std::string_view text) {
-  Number value{};
-  const auto* const end = text.data() + text.size();
-  const auto result = std::from_chars(text.data(), end, value);
-  if (result.ec != std::errc{} || result.ptr != end) return std::nullopt;
-  return value;
-}
-
-/// Accept integers from lowest to highest, numbers and finite times of 0 or more, one of some names, the name
-/// of a file, or a folder that exists: so that an error message says what is allowed. number() and time() take a unit as a case file does, and
-/// as a transform of the option hand on the number in SI units.
-[[nodiscard]] CLI::Validator integer_between(long lowest, long highest);
-[[nodiscard]] CLI::Validator number(const std::string& unit = "", bool is_time = false);
-[[nodiscard]] CLI::Validator time();
-[[nodiscard]] CLI::Validator one_of(const std::vector<std::string>& names);
-[[nodiscard]] CLI::Validator file_name();
-[[nodiscard]] CLI::Validator folder();
-
-/// Options whose default --help shows, unless it is empty: the name of a file, an integer, one of some names.
-CLI::Option* add_file_option(CLI::App& command, const std::string& name, std::string& value,
-                             const std::string& help);
-CLI::Option* add_choice_option(CLI::App& command, const std::string& name, std::string& value,
-                               const std::vector<std::string>& names, const std::string& help);
-template <class Integer>
-CLI::Option* add_integer_option(CLI::App& command, const std::string& name, Integer& value, long lowest,
-                                long highest, const std::string& help) {
-  return command.add_option(name, value, help)
-      ->check(integer_between(lowest, highest))
-      ->capture_default_str();
-}
 
 /// The overrides of --set, then those of the options with a name of their own. Throws data::InputError.
 [[nodiscard]] std::vector<data::Override> overrides_of(const CaseOptions& options);

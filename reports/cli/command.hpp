@@ -5,9 +5,12 @@
 /// the answer as text or as JSON, with its warnings.
 
 #include <CLI/CLI.hpp>
+#include <charconv>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -63,6 +66,41 @@ void add_warning(Answer& answer, const std::optional<std::string>& warning);
 
 /// The width and the height in WIDTHxHEIGHT, cm; no other text has them.
 [[nodiscard]] std::optional<std::pair<double, double>> size_in(const std::string& text);
+
+/// The number that the whole text is, if it is one.
+template <class Number>
+[[nodiscard]] std::optional<Number> parse(std::string_view text) {
+  Number value{};
+  const auto* const end = text.data() + text.size();
+  const auto result = std::from_chars(text.data(), end, value);
+  if (result.ec != std::errc{} || result.ptr != end) return std::nullopt;
+  return value;
+}
+
+/// Accept integers from lowest to highest, numbers and finite times of 0 or more, one of some names, the name of a file, or a
+/// folder that exists: so that an error message says what is allowed. number() and time() take a unit as a case file does, and as a
+/// transform of the option hand on the number in SI units.
+[[nodiscard]] CLI::Validator integer_between(long lowest, long highest);
+[[nodiscard]] CLI::Validator number(const std::string& unit = "", bool is_time = false);
+[[nodiscard]] CLI::Validator time();
+[[nodiscard]] CLI::Validator one_of(const std::vector<std::string>& names);
+[[nodiscard]] CLI::Validator file_name();
+[[nodiscard]] CLI::Validator folder();
+
+/// Options whose default --help shows, unless it is empty: the name of a file, an integer, one of some names.
+CLI::Option* add_file_option(CLI::App& command, const std::string& name, std::string& value,
+                             const std::string& help);
+CLI::Option* add_choice_option(CLI::App& command, const std::string& name, std::string& value,
+                               const std::vector<std::string>& names, const std::string& help);
+template <class Integer>
+CLI::Option* add_integer_option(CLI::App& command, const std::string& name, Integer& value, long lowest,
+                                long highest, const std::string& help) {
+  return command.add_option(name, value, help)
+      ->check(integer_between(lowest, highest))
+      ->capture_default_str();
+}
+
+void add_package_option(CLI::App& command, std::string& package);
 
 /// --json, for an answer with members for it.
 void add_json_option(CLI::App& command);
