@@ -17,25 +17,8 @@ function(run)
     COMMAND_ERROR_IS_FATAL ANY)
 endfunction()
 
-run(${CMAKE_COMMAND}
-    -S
-    ${copy}
-    -B
-    ${scratch}/build
-    -G
-    ${GENERATOR}
-    -D
-    CMAKE_CXX_COMPILER=${COMPILER}
-    -D
-    CMAKE_CXX_FLAGS=${FLAGS}
-    -D
-    CMAKE_BUILD_TYPE=${TYPE}
-    -D
-    CMAKE_UNITY_BUILD=${UNITY}
-    -D
-    CMAKE_UNITY_BUILD_BATCH_SIZE=${BATCH}
-    -D
-    STICKSLIP_BUILD_TESTS=OFF)
+run(${CMAKE_COMMAND} -S ${copy} -B ${scratch}/build -G ${GENERATOR} -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_CXX_FLAGS=${FLAGS}
+    -D CMAKE_BUILD_TYPE=${TYPE} -D CMAKE_UNITY_BUILD=${UNITY} -D CMAKE_UNITY_BUILD_BATCH_SIZE=${BATCH} -D STICKSLIP_BUILD_TESTS=OFF)
 run(${CMAKE_COMMAND} --build ${scratch}/build --target stickslip_cli)
 
 set(commands
