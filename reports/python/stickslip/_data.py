@@ -109,7 +109,7 @@ def unit_named(text):
 
 # --- files and columns of a user
 
-NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?", re.IGNORECASE)
+NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([ed][+-]?\d+)?", re.IGNORECASE)
 FOREIGN = (b"\x89HDF", b"PK\3\4", b"MATLAB 5.0", b"\x93NUMPY", b"\xff\xfe", b"\xfe\xff", b"PAR1", b"{", b"[{", b"<", b"---", b"*")
 OTHER_NAMES = {"phase": "state", "position": "tip_displacement", "time": "t", "t": "time"}  # those of `stickslip respond`
 
@@ -117,9 +117,8 @@ OTHER_NAMES = {"phase": "state", "position": "tip_displacement", "time": "t", "t
 def number(cell, comma=False):
     """The finite number in a cell, perhaps with the exponent of Fortran or a decimal comma; None if there is none."""
     if isinstance(cell, str):
-        cell = re.sub("[dD]", "e", cell)
         cell = cell.replace(",", ".") if comma and "." not in cell else cell
-        cell = float(cell) if NUMBER.fullmatch(cell) else math.nan
+        cell = float(cell.lower().replace("d", "e")) if NUMBER.fullmatch(cell) else math.nan
     try:
         return float(cell) if math.isfinite(cell) else None
     except TypeError:

@@ -100,12 +100,11 @@ class BothJudges(unittest.TestCase):
         cls.addClassCleanup(folder.cleanup)
         cls.folder = pathlib.Path(folder.name)
         shutil.copytree(ROOT / "data/reference", cls.folder / "package")
-        description = cls.folder / "package/datapackage.json"
-        package = json.loads(description.read_text())
-        for resource in package["resources"]:
+        cls.description = cls.folder / "package/datapackage.json"
+        cls.package = json.loads(cls.description.read_text())
+        for resource in cls.package["resources"]:
             for member in ("diagnosis", "problem"):  # without which nothing is computed
                 resource.pop(member, None)
-        description.write_text(json.dumps(package))
 
     def verdicts(self, name, text, options):
         """The exit statuses and, if nothing is refused, the verdicts and the levels of both."""
@@ -136,6 +135,9 @@ class BothJudges(unittest.TestCase):
             table = stickslip.load(name)
             if not table.comparison:
                 continue
+            needed = ("beams", name, table.comparison.get("events"))
+            resources = [one for one in self.package["resources"] if one["name"] in needed]
+            self.description.write_text(json.dumps({**self.package, "resources": resources}))
             for mistake, text, options in copies(table):
                 if mistake in FORMATS and (mistake, table.comparison["kind"]) in tried:
                     continue
