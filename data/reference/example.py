@@ -21,6 +21,9 @@ def rows_of(name):
         return list(csv.DictReader(file))
 
 
+BEAMS = {row["beam"]: row for row in rows_of("beams")}
+
+
 def value(member, row):
     """A member of a problem: itself, or what its column holds."""
     return row[member["column"]] if isinstance(member, dict) else member
@@ -113,9 +116,9 @@ def frequencies(beam, count, elements=60):
     return found
 
 
-def history(problem, beam, times, elements=20, step=2.5e-5):
+def history(problem, times, elements=20, step=2.5e-5):
     """y, y_t and the force f of the tip on the wall at each time: Newmark's method, average acceleration."""
-    mesh = Mesh(beam, elements)
+    mesh = Mesh(BEAMS[problem["beam"]], elements)
     eta, size, tip = problem["damping"]["kelvin_voigt"], mesh.size, mesh.size - 2
     omega, amplitude = 2 * math.pi * problem["excitation"]["frequency_hz"], problem["excitation"]["amplitude"]
     factors = (1.0, step * step / 4, step / 2 * eta)
@@ -185,21 +188,16 @@ def obstacle(name):
 def states_of(problem):
     """history() of a problem in JSON, at the times of all data sets that have it."""
     same = [name for name, one in RESOURCES.items() if json.dumps(one.get("problem")) == problem and not obstacle(name)]
-    one = json.loads(problem)
-    return history(one, beams()[one["beam"]], {float(row["time"]) for name in same for row in rows_of(name)})
-
-
-def beams():
-    return {row["beam"]: row for row in rows_of("beams")}
+    return history(json.loads(problem), {float(row["time"]) for name in same for row in rows_of(name)})
 
 
 def check(name):
     problem, rows = RESOURCES[name]["problem"], rows_of(name)
     if "excitation" not in problem:
-        own = {beam: frequencies(beams()[beam], 3) for beam in {value(problem["beam"], row) for row in rows}}
+        own = {beam: frequencies(BEAMS[beam], 3) for beam in {value(problem["beam"], row) for row in rows}}
         return compare(name, [{"frequency": own[value(problem["beam"], row)][int(row["mode"]) - 1]}
                               if int(row["mode"]) <= 3 else None for row in rows])
-    length, states, results = float(beams()[problem["beam"]]["length"]), states_of(json.dumps(problem)), []
+    length, states, results = float(BEAMS[problem["beam"]]["length"]), states_of(json.dumps(problem)), []
     for row in rows:
         y, v, force = states[float(row["time"])]
         elements = len(y) // 2 - 1
