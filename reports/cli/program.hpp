@@ -3,9 +3,13 @@
 
 /// The program as a whole: with which status it ends, and with which sentence if an argument is wrong.
 
-#include <CLI/CLI.hpp>
 #include <functional>
 #include <string>
+
+namespace CLI {
+class App;
+class ParseError;
+}  // namespace CLI
 
 namespace stickslip::cli {
 
