@@ -10,6 +10,10 @@
 
 namespace stickslip::report {
 
+void set(nlohmann::json& object, std::string_view member, nlohmann::json value) {
+  object[member.substr(0, member.find('('))] = std::move(value);
+}
+
 namespace {
 
 // JSON has no such numbers; the library would write null.

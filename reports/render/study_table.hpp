@@ -16,10 +16,8 @@
 
 namespace stickslip::report {
 
-/// "length" of "length()".
-[[nodiscard]] constexpr std::string_view key_of(std::string_view member) {
-  return member.substr(0, member.find('('));
-}
+/// The member "length()" has the key "length". No template, because there are hundreds of members.
+void set(nlohmann::json& object, std::string_view member, nlohmann::json value);
 
 /// An enumeration whose values have names.
 template <typename T>
@@ -50,7 +48,7 @@ template <stickslip::studies::Described T>
 struct adl_serializer<T> {
   static void to_json(json& object, const T& value) {
     visit_members(std::type_identity<T>{}, [&](std::string_view member, std::string_view, auto get) {
-      object[stickslip::report::key_of(member)] = get(value);
+      stickslip::report::set(object, member, get(value));
     });
   }
 };
@@ -66,14 +64,14 @@ namespace stickslip::report {
 
 /// The unit of each member, in the shape of the JSON of one result. What is described without a unit has `unit`.
 template <typename T>
-nlohmann::json units_of(const std::string& unit = "") {
+nlohmann::json units_of(std::string_view unit = "") {
   if constexpr (requires { typename T::value_type; } && !std::is_same_v<T, std::string>) {
     return units_of<typename T::value_type>(unit);
   } else if constexpr (studies::Described<T>) {
     nlohmann::json units;
     visit_members(std::type_identity<T>{}, [&](std::string_view member, std::string_view own, auto get) {
       using Member = std::remove_cvref_t<decltype(get(std::declval<const T&>()))>;
-      units[key_of(member)] = units_of<Member>(own.empty() ? unit : std::string(own));
+      set(units, member, units_of<Member>(own.empty() ? unit : own));
     });
     return units;
   } else {
