@@ -393,12 +393,12 @@ const Study schemes("schemes", "contact schemes", [](Results& r) {
 });
 
 const Study beam_motions("beam_motions", "motions of the whole beam (Fig. 3)", [](Results& r) {
-  constexpr int snapshots = 9, positions = 61;
+  constexpr int snapshots = 9, places = 61;
   std::vector<studies::BeamMotionStudy> motions;
   for (const auto& excitation : printed_excitations()) {
     data::Case problem = r.paper;
     problem.excitation = excitation;
-    motions.push_back(studies::beam_motion_study(problem, snapshots, positions));
+    motions.push_back(studies::beam_motion_study(problem, snapshots, places));
   }
   return motions;
 });

@@ -20,7 +20,7 @@ using Complex = std::complex<double>;
 using Eigen::MatrixXcd;
 using Eigen::VectorXcd;
 
-constexpr double amplitude = Vibration::amplitude;
+constexpr double base_amplitude = Vibration::amplitude;
 constexpr Complex imaginary_unit(0.0, 1.0);
 
 Amplitudes exact_amplitudes(const Vibration& v) {
@@ -37,12 +37,12 @@ Amplitudes frequency_domain(const Vibration& v, int elements) {
   const MatrixXcd dynamic = complex(model.slip_stiffness()) +
                             imaginary_unit * omega * complex(solver::damping_matrix(model, v.damping)) -
                             omega * omega * complex(model.mass());
-  const VectorXcd load = omega * omega * amplitude * model.base_load().cast<Complex>();
+  const VectorXcd load = omega * omega * base_amplitude * model.base_load().cast<Complex>();
   const Eigen::Index tip = model.tip_deflection();
   MatrixXcd matrix = dynamic;
   VectorXcd right_side = load, q = VectorXcd::Zero(load.size());
   if (v.tip == TipSupport::held) {
-    q = -amplitude * model.unit_tip_deflection().cast<Complex>();
+    q = -base_amplitude * model.unit_tip_deflection().cast<Complex>();
     matrix.row(tip).setZero();
     matrix.col(tip).setZero();
     matrix(tip, tip) = 1.0;
@@ -52,7 +52,7 @@ Amplitudes frequency_domain(const Vibration& v, int elements) {
   q += matrix.partialPivLu().solve(right_side);
   const Complex force = v.tip == TipSupport::held ? load[tip] - (dynamic.row(tip) * q)(0) : 0.0;
   const VectorXcd midspan = model.interpolation(1.0).cast<Complex>();
-  return {amplitude + (midspan.transpose() * q).value(), amplitude + q[tip], force};
+  return {base_amplitude + (midspan.transpose() * q).value(), base_amplitude + q[tip], force};
 }
 
 std::vector<Vibration> vibrations() {
@@ -64,19 +64,19 @@ std::vector<Vibration> vibrations() {
 }
 
 // One of the three amplitudes, and what to call it.
-struct Quantity {
+struct SteadyQuantity {
   Complex Amplitudes::*member;
   const char* name;
 };
 
-std::vector<Quantity> quantities(TipSupport tip) {
+std::vector<SteadyQuantity> quantities(TipSupport tip) {
   if (tip == TipSupport::held) return {{&Amplitudes::midspan, "midspan"}, {&Amplitudes::force, "force"}};
   return {{&Amplitudes::midspan, "midspan"}, {&Amplitudes::tip, "tip"}};
 }
 
 // The stiffness of n elements is known to n^4 eps; near a resonance an error of it grows with the response.
 Tolerance mesh_round_off(int elements, double response, double scale) {
-  return round_off(1, std::pow(elements, 4) * (1.0 + response / amplitude), scale);
+  return round_off(1, std::pow(elements, 4) * (1.0 + response / base_amplitude), scale);
 }
 
 STICKSLIP_VERIFIES(DampedFrequencyResponse, "X8");
@@ -128,7 +128,7 @@ TEST(DampedSteppedResponse, StartsAsTheClosedFormSays) {
     const analytic::DampedForce force(
         analytic::damped_reaction(v.beam(), v.damping, modes, analytic::SteadyPart::exact), v.omega(), 0.2);
     std::vector<double> forces;
-    for (int n = 1; n <= 2000; ++n) forces.push_back(amplitude * force.value(1e-4 * n));
+    for (int n = 1; n <= 2000; ++n) forces.push_back(base_amplitude * force.value(1e-4 * n));
     return forces;
   };
   const auto distance = [](const std::vector<double>& a, const std::vector<double>& b) {
