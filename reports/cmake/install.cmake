@@ -34,14 +34,9 @@ write_basic_package_version_file(${CMAKE_BINARY_DIR}/stickslip-config-version.cm
 install(FILES ${CMAKE_BINARY_DIR}/stickslip-config.cmake ${CMAKE_BINARY_DIR}/stickslip-config-version.cmake
         DESTINATION ${package_files})
 
-install(
-  DIRECTORY data/cases data/measurements data/paper data/reference
-  DESTINATION ${shared_files}/data)
+install(DIRECTORY data/cases data/measurements data/paper data/reference DESTINATION ${shared_files}/data)
 install(FILES data/materials.toml data/answers.schema.json DESTINATION ${shared_files}/data)
-install(
-  DIRECTORY reports/figures reports/report reports/site
-  DESTINATION ${shared_files}/reports
-  PATTERN readme.png EXCLUDE)
+install(DIRECTORY reports/figures reports/report reports/site DESTINATION ${shared_files}/reports PATTERN readme.png EXCLUDE)
 install(DIRECTORY ${CMAKE_BINARY_DIR}/share/man/ DESTINATION ${CMAKE_INSTALL_MANDIR})
 install(FILES reports/cli/completion/stickslip DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
 install(FILES reports/cli/completion/_stickslip DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
