@@ -201,30 +201,37 @@ double max_abs(const std::vector<analytic::Sinusoid>& terms, double duration, do
 std::vector<double> stepped(const StickSum& sum, const ModalScheme& scheme,
                             const data::HarmonicExcitation& excitation, StickReading reading, long count) {
   const double omega = angular_frequency(excitation), amplitude = excitation.amplitude();
-  const double h = scheme.step;
-  std::vector<double> history;
-  for (long n = 0; n <= count; ++n)
-    history.push_back(amplitude * driven_part(sum, reading, omega) *
-                      std::sin(omega * (static_cast<double>(n) * h)));
+  const double h = scheme.step, new_share = 1.0 - scheme.alpha_f;
+  struct Oscillator {
+    double load, damping, stiffness, inertia, weight, q, v, a;
+  };
+  std::vector<Oscillator> oscillators;
   for (const StickSum::Mode& mode : sum.modes) {
     const double w = mode.oscillator_frequency, damping = 2.0 * scheme.damping_ratio * w;
-    const double new_share = 1.0 - scheme.alpha_f;
+    const double v = mode.initial_rate * amplitude * omega;
     const double inertia =
         1.0 - scheme.alpha_m + new_share * h * (damping * scheme.gamma + square(w) * scheme.beta * h);
-    double q = 0.0, v = mode.initial_rate * amplitude * omega, a = -damping * v;
-    for (long n = 0; n < count; ++n) {
-      const double load_time = static_cast<double>(n) * h + scheme.load_delay;
-      const double load = -mode.participation * amplitude * square(omega) * std::sin(omega * load_time);
+    oscillators.push_back({-mode.participation * amplitude * square(omega), damping, square(w), inertia,
+                           weight_of(mode, reading), 0.0, v, -damping * v});
+  }
+  const double driven = amplitude * driven_part(sum, reading, omega);
+  std::vector<double> history;
+  for (long n = 0; n <= count; ++n) {
+    const double time = static_cast<double>(n) * h, sine = std::sin(omega * (time + scheme.load_delay));
+    double value = driven * std::sin(omega * time);
+    for (auto& [load, damping, stiffness, inertia, weight, q, v, a] : oscillators) {
+      value += weight * q;
       const double free_q = q + h * v + h * h * (0.5 - scheme.beta) * a;
       const double free_v = v + h * (1.0 - scheme.gamma) * a;
-      const double next = (load - scheme.alpha_m * a - damping * (new_share * free_v + scheme.alpha_f * v) -
-                           square(w) * (new_share * free_q + scheme.alpha_f * q)) /
-                          inertia;
+      const double next =
+          (load * sine - scheme.alpha_m * a - damping * (new_share * free_v + scheme.alpha_f * v) -
+           stiffness * (new_share * free_q + scheme.alpha_f * q)) /
+          inertia;
       q = free_q + h * h * scheme.beta * next;
       v = free_v + h * scheme.gamma * next;
       a = next;
-      history[static_cast<std::size_t>(n + 1)] += weight_of(mode, reading) * q;
     }
+    history.push_back(value);
   }
   return history;
 }
