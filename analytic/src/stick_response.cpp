@@ -200,8 +200,12 @@ double StickResponse::relative_displacement(double x, double t) const {
   return amplitude_ * evaluate(displacement(x), t);
 }
 
-double StickResponse::absolute_displacement(double x, double t) const {
-  return base_displacement(t) + relative_displacement(x, t);
+double StickResponse::absolute_displacement(double x, double t) const { return absolute_displacement(x)(t); }
+
+std::function<double(double)> StickResponse::absolute_displacement(double x) const {
+  return [this, sum = displacement(x)](double t) {
+    return base_displacement(t) + amplitude_ * evaluate(sum, t);
+  };
 }
 
 /// max |f''|/A0 over 0 ≤ t ≤ duration. A mode counts with the smaller of two bounds: with its two sinusoids apart,

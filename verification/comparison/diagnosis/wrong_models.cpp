@@ -137,8 +137,8 @@ HeldHistory held_in_closed_form(const data::Case& problem, StickReading reading,
   const auto response = std::make_shared<analytic::StickResponse>(
       problem.beam, problem.excitation, kept_free_vibrations, analytic::SteadyPart::exact);
   if (reading == StickReading::displacement)
-    return {[response, middle = 0.5 * problem.beam.length()](double t) {
-              return response->absolute_displacement(middle, t);
+    return {[response, at = response->absolute_displacement(0.5 * problem.beam.length())](double t) {
+              return at(t);
             },
             {}};
   return {[response](double t) { return response->friction_force(t); },

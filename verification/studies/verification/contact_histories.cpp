@@ -274,11 +274,12 @@ StickHistoryStudy stick_history_study(const data::Beam& beam, const data::Harmon
   StickHistoryStudy study;
   const double midspan = 0.5 * beam.length();
   const analytic::StickResponse exact(beam, excitation, 200, analytic::SteadyPart::exact);
+  const auto displacement = exact.absolute_displacement(midspan);
   const long samples = solver::step_count(numerics.duration(), numerics.time_step());
   for (long n = 0; n <= samples; ++n) {
     const double t = static_cast<double>(n) * numerics.time_step();
     study.time.push_back(t);
-    study.displacement.push_back(exact.absolute_displacement(midspan, t));
+    study.displacement.push_back(displacement(t));
     study.force.push_back(exact.friction_force(t));
   }
   const std::vector<double> zero(study.time.size());

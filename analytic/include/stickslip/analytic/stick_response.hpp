@@ -12,6 +12,7 @@
 /// sinc((Ω - ω_n) t/2) - sin(ω_n t)]/((Ω + ω_n) ω_n), with sinc(y) = sin(y)/y: the
 /// same function without the 0/0 at resonance, where it grows with t.
 
+#include <functional>
 #include <vector>
 
 #include "stickslip/analytic/force_maximum.hpp"
@@ -50,6 +51,8 @@ class StickResponse {
   [[nodiscard]] double base_displacement(double t) const;                ///< h(t), m
   [[nodiscard]] double relative_displacement(double x, double t) const;  ///< u(x,t), m; 0 ≤ x ≤ L, t ≥ 0
   [[nodiscard]] double absolute_displacement(double x, double t) const;  ///< y = h + u, m
+  /// The same as a function of t while this lives, for many times: the shapes of the modes are computed once.
+  [[nodiscard]] std::function<double(double)> absolute_displacement(double x) const;
   /// f(t), N, sign of Eq. (28).
   [[nodiscard]] double friction_force(double t) const { return amplitude_ * evaluate(force_, t); }
 
