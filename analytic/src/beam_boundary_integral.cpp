@@ -12,6 +12,7 @@
 #include "special_functions.hpp"
 #include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/analytic/event_driven.hpp"
+#include "stickslip/analytic/stick_propagator.hpp"
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/analytic/tip_mobility.hpp"
 
@@ -88,14 +89,15 @@ std::vector<double> damped_holding_force(const data::Beam& beam, const data::Har
                                          const data::Damping& damping, const TimeGrid& grid) {
   const StatusInsteadOfAbort guard;
   const ContactModel model = held_beam(beam, excitation, damping).model();
-  EventDriven run(model);
+  const ContactDynamics dynamics(model);
+  StickPropagator held(dynamics);
+  held.begin(0.0, {std::vector<double>(dynamics.modes()), std::vector<double>(dynamics.modes())});
   const double duration = static_cast<double>(grid.steps) * grid.time_step;
   const double spacing = std::max(grid.time_step, 1e-3 / model.angular_frequency.front());
   std::vector<double> time, force;
   for (std::size_t n = 0; time.size() < 4 || time.back() < duration; ++n) {
     time.push_back(static_cast<double>(n) * spacing);
-    run.advance_to(time.back());
-    force.push_back(run.holding_force());
+    force.push_back(held.force(time.back()));
   }
   const auto spline = owned(gsl_spline_alloc(gsl_interp_cspline, time.size()));
   require_success(gsl_spline_init(spline.get(), time.data(), force.data(), time.size()), "holding force");
@@ -125,7 +127,7 @@ std::vector<double> held_displacement(const data::Beam& beam, const data::Harmon
   };
   if (damping.kelvin_voigt() == 0.0) {
     const StickResponse response(beam, excitation, undamped_modes, SteadyPart::exact);
-    sample([&](double t) { return response.absolute_displacement(x, t); });
+    sample(response.absolute_displacement(x));
   } else {
     const BeamContactModel held = held_beam(beam, excitation, damping);
     const std::vector<double> shapes = held.shapes(x);

@@ -27,15 +27,22 @@ namespace stickslip::analytic {
 /// c_k(z), k = 0 ... 3.
 [[nodiscard]] inline double stumpff(int k, double z) { return scaled_stumpff(k, z, 0.0); }
 
-/// (exp(a τ) - exp(b τ))/(a - b), without the cancellation where a and b are close; Re a ≤ 0, Re b ≤ 0.
+/// (exp(a τ) - exp(b τ))/(a - b), without the cancellation where a and b are close; Re a ≤ 0, Re b ≤ 0. For callers
+/// that have the exponentials.
 [[nodiscard]] inline std::complex<double> exponential_difference(std::complex<double> a,
-                                                                 std::complex<double> b, double tau) {
+                                                                 std::complex<double> b, double tau,
+                                                                 std::complex<double> exp_a,
+                                                                 std::complex<double> exp_b) {
   const std::complex<double> gap = (a - b) * tau;
-  if (std::abs(gap) > 0.5) return (std::exp(a * tau) - std::exp(b * tau)) / (a - b);
+  if (std::norm(gap) > 0.25) return (exp_a - exp_b) / (a - b);
   std::complex<double> term = 1.0, sum = 1.0;
   for (int k = 2; std::abs(term) > 0.1 * std::numeric_limits<double>::epsilon() && k < 30; ++k)
     sum += term *= gap / static_cast<double>(k);
-  return tau * std::exp(b * tau) * sum;
+  return tau * exp_b * sum;
+}
+[[nodiscard]] inline std::complex<double> exponential_difference(std::complex<double> a,
+                                                                 std::complex<double> b, double tau) {
+  return exponential_difference(a, b, tau, std::exp(a * tau), std::exp(b * tau));
 }
 
 /// The largest |a + b s + c s²/2| over |s| ≤ r.

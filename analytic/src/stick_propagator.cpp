@@ -117,13 +117,16 @@ std::vector<ModalShare> StickPropagator::force_shares() const {
 StickPropagator::Complex StickPropagator::coordinate(std::size_t k, double t) const {
   const Complex i(0.0, 1.0), lambda = eigenvalue_[k];
   const double tau = t - begin_;
-  Complex free = std::exp(lambda * tau) * initial_[k];
-  if (constant_[k] != 0.0) free += constant_[k] * exponential_difference(0.0, lambda, tau);
+  const Complex decay = std::exp(lambda * tau), turned = std::exp(i * omega_ * tau);
+  Complex free = decay * initial_[k];
+  if (constant_[k] != 0.0) free += constant_[k] * exponential_difference(0.0, lambda, tau, 1.0, decay);
   if (sine_[k] == 0.0 && cosine_[k] == 0.0) return free;
   const Complex turn = std::polar(1.0, omega_ * begin_);
-  return free + 0.5 * (cosine_[k] - i * sine_[k]) * turn * exponential_difference(i * omega_, lambda, tau) +
+  return free +
+         0.5 * (cosine_[k] - i * sine_[k]) * turn *
+             exponential_difference(i * omega_, lambda, tau, turned, decay) +
          0.5 * (cosine_[k] + i * sine_[k]) * std::conj(turn) *
-             exponential_difference(-i * omega_, lambda, tau);
+             exponential_difference(-i * omega_, lambda, tau, std::conj(turned), decay);
 }
 
 StickPropagator::Complex StickPropagator::forcing(std::size_t k, double t) const {
