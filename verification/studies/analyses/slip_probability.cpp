@@ -333,12 +333,13 @@ SlipUncertainty slip_uncertainty(const data::Case& problem, const data::Uncertai
     pilots.push_back(joint.at(independent_point(sampling.seed, index, joint.size())));
   verdicts.tabulate(pilots);
 
-  const bool has_indices = joint.is_independent() && joint.size() <= 20;
+  const bool has_indices = !sampling.is_short && joint.is_independent() && joint.size() <= 20;
   const std::size_t rows = at_most(most_index_rows, sampling);
   const double index_work = has_indices ? static_cast<double>(rows * (joint.size() + 2)) : 0.0;
   const auto draws = 0.1 * static_cast<double>(sampling.samples);  // what a verdict costs, of a margin
   const auto margins = static_cast<double>(at_most(most_quantile_samples, sampling));
-  const std::size_t all_modes = sampling.band ? 0 : std::min(most_samples_of_all_modes, sampling.samples);
+  const bool has_all_modes = !sampling.band && !sampling.is_short;
+  const std::size_t all_modes = has_all_modes ? std::min(most_samples_of_all_modes, sampling.samples) : 0;
   const double all_modes_work = 5.0 * static_cast<double>(all_modes);
   const double work = 2.0 * draws + margins + all_modes_work + index_work;
   double done = 0.0;
@@ -361,7 +362,7 @@ SlipUncertainty slip_uncertainty(const data::Case& problem, const data::Uncertai
   const auto samples = results_of(at_most(most_quantile_samples, sampling), joint, sampling, part(margins),
                                   [&](std::span<const double> values) { return verdicts.at(values); });
   add_quantiles(result, samples);
-  if (!sampling.band) {
+  if (has_all_modes) {
     std::optional<analytic::Bounds> force;
     if (verdicts.have_one_force()) force = criterion_of_all_modes(problem).force_max;
     const auto slips = [&](std::span<const double> values) {

@@ -24,6 +24,7 @@ struct SlipSampling {
   std::uint64_t seed = 1;
   /// The margin over a band of excitation frequencies (BandMaximum) instead of that at excitation.frequency_hz.
   std::optional<analytic::FrequencyBand> band{};
+  bool is_short{};  ///< without all_modes and sensitivity, which take nine tenths of the time
 };
 
 /// The margin is μ_s P/|f_max| = critical amplitude / amplitude; the tip slips below 1.
@@ -54,7 +55,7 @@ struct SlipUncertainty {
     std::size_t valid{}, slips{}, slips_truncated{};
     Estimate probability_of_slip;
   };
-  std::optional<AllModes> all_modes;  ///< nothing over a band
+  std::optional<AllModes> all_modes;  ///< nothing over a band, or if it is to be short
   std::vector<Tornado> tornado;       ///< in the order of the keys
   /// Indices of log(margin), in the order of the keys; empty if keys are correlated, or more than 20.
   std::optional<Sensitivity> sensitivity;

@@ -114,7 +114,7 @@ std::vector<AmplitudeChange> amplitude_budget(const AmplitudeLimits& limits,
 
     data::Case at = problem;
     at.excitation = data::HarmonicExcitation({hz, problem.excitation.amplitude()});
-    const SlipUncertainty inputs = slip_uncertainty(at, uncertainty, {.samples = samples});
+    const SlipUncertainty inputs = slip_uncertainty(at, uncertainty, {.samples = samples, .is_short = true});
     add("all inputs", "input", inputs.quantiles.front().margin.value / inputs.nominal_margin,
         inputs.quantiles.back().margin.value / inputs.nominal_margin);
     for (const auto& one : inputs.tornado) {
