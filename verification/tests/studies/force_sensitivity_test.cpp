@@ -38,7 +38,7 @@ constexpr double ten_seconds = 10.0;
 void sampling_loses_no_more_than_the_curvature_allows() {
   for (std::size_t i = 0; i < study().frequency_hz.size(); ++i) {
     const StickResponse response(paper_beam(), excitation(i), 10);
-    for (const double step : {1e-5, 1e-4, 1e-3, 5e-3}) {
+    for (const double step : {1e-4, 1e-3, 5e-3}) {
       const analytic::Bounds bounds = response.sampled_max_abs_friction_force(ten_seconds, step);
       EXPECT_EQ(row("sampling step", fmt::format("{:g} s", step)).force[i], bounds.lower);
       EXPECT_LE(bounds.lower, closed_form().force[i]);
