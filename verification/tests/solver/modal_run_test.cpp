@@ -106,20 +106,6 @@ TEST(ModalStickRun, MaximumIsThatOfItsHistory) {
   }
 }
 
-TEST(ModalStickRun, ReproducesTheForceMaximum) {
-  const auto numerics = settings(20, 0.9);
-  const double plain =
-      solver::max_abs_friction_force(paper_beam(), shaking(70.0, 0.5e-3), numerics, {}, Coordinates::nodal);
-  const double modal =
-      solver::max_abs_friction_force(paper_beam(), shaking(70.0, 0.5e-3), numerics, {}, Coordinates::modal);
-  EXPECT_LE(std::abs(modal - plain), 1e-10 * plain);
-  EXPECT_EQ(modal,
-            ModalStickRun(paper_beam(), shaking(70.0, 0.5e-3), numerics).max_abs_friction_force(10000));
-  EXPECT_THROW((void)solver::max_abs_friction_force(paper_beam(), shaking(70.0, 0.5e-3), numerics,
-                                                    data::Damping({.ratio = 0.01}), Coordinates::modal),
-               data::FieldError);
-}
-
 TEST(ModalStickRun, RefusesABuckledBeam) {
   EXPECT_THROW(ModalStickRun(paper_beam_with_axial_force(90000.0), shaking(35.0, 1e-3), settings(4, 0.9)),
                data::InputError);
@@ -164,31 +150,6 @@ void expect_same_changes(const solver::StickSlipIntegrator& run, const solver::S
 }
 
 STICKSLIP_VERIFIES(ModalSteps, "F11");
-TEST(ModalSteps, MatchTheGeneralIntegrator) {
-  // From the same start through stick, onset, slip, reversals and captures, until rounding has grown visibly.
-  const BeamModel model(paper_beam(), 8);
-  const auto base = solver::harmonic_motion(shaking(25.0, 1e-3));
-  const auto system = modal_contact_system(model, held_tip_basis(model), paper_friction(), base);
-  for (const double radius : {0.0, 0.9, 1.0}) {
-    solver::IntegratorSettings choice{
-        .time_step = 1e-4, .spectral_radius = radius, .velocity_threshold = 1e-4};
-    solver::StickSlipIntegrator general(system, choice);
-    choice.algebra = solver::StepAlgebra::modal;
-    solver::StickSlipIntegrator fast(system, choice);
-    const Eigen::VectorXd rest = Eigen::VectorXd::Zero(16);
-    const Eigen::VectorXd velocity = -base.velocity(0.0) * Eigen::VectorXd::Unit(16, 15);
-    general.start_stuck(rest, velocity);
-    fast.start_stuck(rest, velocity);
-    while (general.steps() < 2000) {
-      general.step();
-      fast.step();
-    }
-    ASSERT_GE(general.events().size(), 20u);
-    expect_same_changes(fast, general, 1e-11, 1e-12);
-    EXPECT_LE((fast.displacement() - general.displacement()).cwiseAbs().maxCoeff(), 1e-12) << radius;
-  }
-}
-
 TEST(ModalSteps, HaveTheEventsOfTheNodalRun) {
   // Rounding, 1e-16 m at first, grows with every change; a quarter of a second has more than fifty.
   const data::NumericalSettings numerics(paper_choices(0.25));
