@@ -51,22 +51,6 @@ TEST(DampedReaction, WithoutDampingIsEquation28) {
   }
 }
 
-// The extrapolation to eta = 0 leaves terms of second order, (eta omega_n^2 T/2)^2 of each free vibration: 3e-7
-// of the tenth, whose share is below 1e-3.
-TEST(DampedReaction, TendsToTheUndampedOneWithTheDamping) {
-  for (const double hz : frequencies())
-    for (const auto& [once, twice] :
-         {std::pair{kelvin_voigt(1e-12), kelvin_voigt(2e-12)}, std::pair{by_ratio(1e-9), by_ratio(2e-9)}}) {
-      const double one = force(once, hz, 10.0).refined_to(width).midpoint();
-      const double two = force(twice, hz, 10.0).refined_to(width).midpoint();
-      const double expected = undamped(hz, 10.0).midpoint();
-      EXPECT_TRUE(within(2.0 * one - two, expected,
-                         {4.0 * width * expected, "arithmetic", "the widths of four pairs of bounds"}))
-          << hz;
-      EXPECT_LT(two, expected);
-    }
-}
-
 // The eigenvalues are known to eps times the largest. That counts over the distance of i Omega from the nearest.
 double rounding_of_eigenvalues(const data::Damping& damping, double hz, int modes) {
   double largest = 0.0, nearest = std::numeric_limits<double>::infinity();

@@ -268,36 +268,6 @@ TEST(EventDriven, SeesAPeakOfTheForceHoweverShallow) {
     }
 }
 
-// Two masses.
-
-TEST(EventDriven, EventTimesFollowTheTolerance) {
-  // The law falls within 1/60 m/s, much faster than the masses move, so that the tolerance sets the steps.
-  ContactModel model = contact_model(ForcedPair{});
-  model.friction = data::FrictionLaw({.static_coefficient = 0.3, .kinetic_coefficient = 0.1, .decay = 60.0});
-  const auto run = [&model](double tolerance) {
-    EventDriven masses(model, {.tolerance = tolerance});
-    masses.advance_to(6.0);
-    return masses.events();
-  };
-  const auto reference_events = run(1e-14);
-  ASSERT_GE(reference_events.size(), 6u);
-  double previous = std::numeric_limits<double>::infinity(), error = 0.0;
-  for (const double tolerance : {1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13}) {
-    const auto events = run(tolerance);
-    ASSERT_EQ(events.size(), reference_events.size()) << tolerance;
-    error = 0.0;
-    for (std::size_t i = 0; i < events.size(); ++i) {
-      EXPECT_EQ(events[i].change, reference_events[i].change);
-      error = largest_or_nan({error, std::abs(events[i].time - reference_events[i].time)});
-    }
-    EXPECT_LT(error, previous) << tolerance;
-    EXPECT_LT(error, 1e3 * tolerance);
-    if (::testing::Test::HasFailure()) return;
-    previous = error;
-  }
-  EXPECT_LT(error, 1e-10);
-}
-
 // The beam.
 
 ContactModel beam_model(double kelvin_voigt, double hz = 25.0) {

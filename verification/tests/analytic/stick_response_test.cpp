@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/analytic/force_maximum.hpp"
-#include "support/order.hpp"
 #include "support/testing.hpp"
 
 namespace stickslip::testing {
@@ -127,51 +126,6 @@ TEST(StickResponse, SteadyAmplitudeIsUnboundedAtResonance) {
   const double natural = stick_modes(paper_beam(), 1).front().frequency_hz();
   EXPECT_GT(std::abs(StickResponse(paper_beam(), shaking(natural)).steady_force_amplitude()), 1e12);
   EXPECT_EQ(StickResponse(paper_beam(), shaking(natural, 0.0)).steady_force_amplitude(), 0.0);
-}
-
-// What the modes add to f at Omega and as free vibrations, for large n and P = 0: with bb = b = (n + 1/4) pi,
-// sin(bb) = (-1)^n/sqrt(2) and tan(bb) = 1, U_n'''(L) = -(-1)^n sqrt(2) b^3/L^3, int U_n^2 dx = L and C_n =
-// -2/b, so that the terms of Eq. (28) are
-//
-//     at Omega:    (-1)^n A/b^2,                    A = 2 sqrt(2) rho A L Omega^2 A0,
-//     at omega_n:  (-1)^n A/b^2 Omega/omega_n,      omega_n = sqrt(EI/rho A) b^2/L^2.
-//
-// An axial force moves them by z/b^2, z = P L^2/EI = 0.12, a few times, and the excitation by
-// (Omega/omega_n)^2.
-struct TermsOfTheForce {
-  double omega = 2.0 * pi * 35.0;
-  double scale = 2.0 * std::sqrt(2.0) * 10.0 * 2.0 * omega * omega * 0.5e-3;
-  double natural = std::sqrt(16666.666666666668 / 10.0) / 4.0;  // omega_n = natural b^2
-
-  [[nodiscard]] double next_term(double b) const {
-    return 3.0 * 0.12 / (b * b) + std::pow(omega / (natural * b * b), 2);
-  }
-};
-
-TEST(StickResponse, ModalSumConvergesWithOrderTwoAlternating) {
-  // The terms a(n) alternate, and the sum misses half of what lies half a term further, a(N + 1/2)/2 but for
-  // a''/(8 a) = 3/(4 N^2) of it: for b = (n + 1/4) pi that is A/(2 pi^2) (N + 3/4)^-2.
-  const TermsOfTheForce terms;
-  const double exact =
-      StickResponse(paper_beam(), shaking(35.0), 10, SteadyPart::exact).steady_force_amplitude();
-  const auto missed = [exact](int count) {
-    return StickResponse(paper_beam(), shaking(35.0), count).steady_force_amplitude() - exact;
-  };
-  std::vector<OrderLevel> of_sum, of_terms;
-  for (const int count : {25, 50, 100, 200, 400, 1000}) {
-    const double sum = missed(count), before = missed(count - 1);
-    EXPECT_LT(sum * before, 0.0);
-    const double b = (count + 0.25) * pi;
-    const double floor = round_off(std::sqrt(count), 1, exact).value;
-    of_sum.push_back({.step = 1.0 / (count + 0.75),
-                      .error = std::abs(sum),
-                      .next_term = 1.0 / std::pow(count, 2) + terms.next_term(b),
-                      .floor = floor});
-    of_terms.push_back(
-        {.step = 1.0 / b, .error = std::abs(sum - before), .next_term = terms.next_term(b), .floor = floor});
-  }
-  EXPECT_TRUE(order_is(of_sum, 2.0, terms.scale / (2.0 * pi * pi)));
-  EXPECT_TRUE(order_is(of_terms, 2.0, terms.scale));
 }
 
 TEST(StickResponse, OmittedTransientIsBounded) {
