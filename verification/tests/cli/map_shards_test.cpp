@@ -83,16 +83,6 @@ TEST_F(MapShards, MergeToTheBytesOfTheWholeMap) {
   }
 }
 
-TEST_F(MapShards, HaveTheSameStatesWithoutRatios) {
-  const auto with = csv(made(closed_form, "with.csv")),
-             without = csv(made(closed_form + "--states-only ", "without.csv"));
-  ASSERT_EQ(with.size(), without.size());
-  for (std::size_t i = 0; i < with.size(); ++i) {
-    if (with[i].empty()) continue;
-    EXPECT_EQ(without[i], (std::vector{with[i][0], with[i][1], with[i][3]}));
-  }
-}
-
 TEST_F(MapShards, GoOnAfterAKillWhereverItCame) {
   const std::string whole = made(longer, "whole.csv");
   for (const std::ptrdiff_t rows : {0, 19, 49})

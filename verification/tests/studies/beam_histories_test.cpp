@@ -304,29 +304,5 @@ TEST(FiniteElementContactModel, RefusesWhatHasNoHeldModes) {
   EXPECT_THROW(FiniteElementContactModel(contact_system(ForcedPair{}), {}), std::invalid_argument);
 }
 
-STICKSLIP_VERIFIES(TruncatedHistory, "D2");
-TEST(TruncatedHistory, ConvergesAtLeastWithTheThirdOrder) {
-  for (const double hz : {25.0, 70.0}) {
-    SCOPED_TRACE(hz);
-    const auto events_with = [hz](int modes) {
-      analytic::EventDriven run(analytic::BeamContactModel(paper_beam(), paper_friction(), shaking(hz, 1e-3),
-                                                           light_damping(), modes)
-                                    .model());
-      run.advance_to(0.1);
-      return run.events();
-    };
-    const auto exact = events_with(32);
-    std::vector<double> inverse, errors;
-    for (const int modes : {6, 8, 11, 15}) {
-      const auto events = events_with(modes);
-      ASSERT_EQ(events.size(), exact.size()) << modes;
-      inverse.push_back(1.0 / modes);
-      errors.push_back(studies::largest_difference(events, exact, exact.size()).time);
-      ASSERT_TRUE(std::isfinite(errors.back())) << modes;  // the same changes
-    }
-    EXPECT_GT(observed_order(inverse, errors), 2.8);
-  }
-}
-
 }  // namespace
 }  // namespace stickslip::testing

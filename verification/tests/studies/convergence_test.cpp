@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// Observed orders and their confidence intervals.
 
-#include <random>
-
 #include "studies/common/convergence.hpp"
 #include "support/order.hpp"
 #include "support/testing.hpp"
@@ -44,26 +42,6 @@ TEST(OrderEstimate, OfTwoLevelsKnowsNoWidth) {
   EXPECT_TRUE(within(estimate.order, 2.0, round_off(10, 1, 2)));
   EXPECT_EQ(estimate.half_width, std::numeric_limits<double>::infinity());
   EXPECT_EQ(estimate.levels, 2);
-}
-
-TEST(OrderEstimate, CoversTheOrderNinetyFiveTimesInAHundred) {
-  // Normal noise of two sizes: the width must follow it. The count of hits is binomial; four of its standard
-  // deviations leave a chance of 6e-5 to miss, and the seed is fixed.
-  std::mt19937_64 generator(20180219);
-  for (const double deviation : {0.3, 0.01}) {
-    std::normal_distribution<double> noise(0.0, deviation);
-    constexpr int trials = 20000;
-    int hits = 0;
-    for (int trial = 0; trial < trials; ++trial) {
-      std::vector<double> errors;
-      for (const double step : halved) errors.push_back(std::pow(step, 2) * std::exp(noise(generator)));
-      const OrderEstimate estimate = order_estimate(halved, errors);
-      if (std::abs(estimate.order - 2.0) <= estimate.half_width) ++hits;
-    }
-    EXPECT_TRUE(within(hits / double(trials), 0.95,
-                       discretisation(std::sqrt(0.95 * 0.05 / trials), 4.0, "deviation of a count")))
-        << deviation;
-  }
 }
 
 TEST(OrderEstimate, NeedsPositiveLevelsInPairs) {

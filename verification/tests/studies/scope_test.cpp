@@ -40,16 +40,6 @@ class SteadyForce : public ::testing::TestWithParam<double> {
 };
 
 STICKSLIP_VERIFIES(SteadyForce, "X22");
-TEST_P(SteadyForce, OfTheMeshHasOrderFour) {
-  const double steady = studies::steady_force(problem_, {}).steady;
-  const double coarse = finite_element_steady_force(problem_, 20),
-               fine = finite_element_steady_force(problem_, 40);
-  // The next term is (beta l)^2/40 of it, and near resonance the shift of the frequency counts once more.
-  const double predicted = 16.0 / 15.0 * std::abs(coarse - fine);
-  EXPECT_TRUE(within(coarse, steady, discretisation(predicted, 1.02, "extrapolation from two meshes")));
-  EXPECT_GT(std::abs(coarse - steady), 0.98 * predicted);
-}
-
 TEST_P(SteadyForce, IsExceededByTheStartUpMoreTheLongerItLasts) {
   const auto force = studies::steady_force(problem_, {0.1, 1.0, 10.0, 100.0});
   const analytic::StickResponse response(problem_.beam, problem_.excitation, 60, analytic::SteadyPart::exact);
