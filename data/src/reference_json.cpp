@@ -28,7 +28,7 @@ Json json_of(const T& value) {
 }
 Json json_of(const std::optional<double>& value) { return *value; }
 
-// One pass over the members of an object, in the order of the file: it reads them, writes them, or lists their keys.
+// One pass over the members of an object, in the order of the file: it reads them or writes them.
 class Members {
  public:
   using Description = std::function<void(Members&)>;
@@ -48,19 +48,10 @@ class Members {
     return *writer.json_;
   }
 
-  static void list(const std::string& place, const Description& describe_members, KeysByPlace& all) {
-    Members lister;
-    lister.place_ = place.empty() ? "" : place + "/";
-    lister.all_ = &all;
-    describe_members(lister);
-    all.emplace_back(place, lister.required_);
-  }
-
   // A member with its own way of reading and writing. An optional one is written if it is given.
   template <class Read, class Write>
   void member(const std::string& key, bool is_required, bool is_given, const Read& read, const Write& write) {
     known_.push_back(key);
-    if (is_required) required_.push_back(key);
     if (json_ && (is_required || is_given)) (*json_)[key] = write();
     if (node_ == nullptr) return;
     if (is_required)
@@ -114,7 +105,6 @@ class Members {
     member(
         key, is_required, is_given, [&](const JsonNode& node) { read(node, describe_members); },
         [&] { return written(describe_members); });
-    if (all_ != nullptr) list(place_ + key, describe_members, *all_);
   }
   template <class T>
   void optional(const std::string& key, std::optional<T>& value, void (*describe_members)(Members&, T&)) {
@@ -139,8 +129,6 @@ class Members {
           for (T& item : items) array.push_back(written(of(item)));
           return array;
         });
-    T item;
-    if (all_ != nullptr) list(place_ + key + "/0", of(item), *all_);
   }
 
   // Keys of other programs.
@@ -149,9 +137,7 @@ class Members {
  private:
   const JsonNode* node_{};
   std::optional<Json> json_;
-  KeysByPlace* all_{};
-  std::string place_;
-  std::vector<std::string> known_, required_;
+  std::vector<std::string> known_;
 };
 
 // --- the members of each struct
@@ -299,14 +285,6 @@ Resource read_description(const JsonNode& node) {
 
 std::string json_text(Resource resource) {
   return Members::written([&](Members& members) { describe_members(members, resource); }).dump();
-}
-
-KeysByPlace required_keys() {
-  KeysByPlace keys;
-  Resource resource;
-  Members::list(
-      "", [&](Members& members) { describe_members(members, resource); }, keys);
-  return keys;
 }
 
 }  // namespace stickslip::data

@@ -219,26 +219,6 @@ json spoiled(const Defect& defect) {
   return package;
 }
 
-// Each key that must be there, left out: of the package, of each object that describes a data set, and those that a
-// comparison of phases needs.
-std::vector<Defect> missing_keys() {
-  std::vector<Defect> list{{{{"comparison/abscissa", ""}}, "resources/history/comparison lacks abscissa"},
-                           {{{"comparison/events", ""}}, "resources/history/comparison lacks events"}};
-  for (const char* key : {"name", "title", "description", "version", "licenses", "resources"})
-    list.push_back({{{std::string("/") + key, ""}}, std::string("the package lacks ") + key});
-  for (const auto& [place, keys] : data::required_keys()) {
-    if (!valid_package().contains(json::json_pointer("/resources/0" + (place.empty() ? "" : "/" + place))))
-      continue;
-    std::string name = "resources/history" + (place.empty() ? "" : "/" + place);
-    if (name.ends_with("fields/0")) name.back() = 't';
-    for (const std::string& key : keys)
-      if (key != "bytes" && key != "hash")  // which are written with the tables
-        list.push_back(
-            {{{place.empty() ? key : place + "/" + key, ""}}, (key == "name" ? "" : name) + " lacks " + key});
-  }
-  return list;
-}
-
 const std::vector<Defect> resource_defects{
     {{{"/licenses", "[]"}}, "licenses is an array, but must be an array that"},
     {{{"/resources", "[]"}}, "resources is an array, but must be an array"},
@@ -277,6 +257,10 @@ const std::vector<Defect> field_defects{
      "schema/foreignKeys/0/reference is no column of the package: none/time"},
     {{{"schema/foreignKeys/0/reference/fields", R"("none")"}},
      "schema/foreignKeys/0/reference is no column of the package: events/none"},
+    {{{"schema/foreignKeys/0/fields", ""}}, "schema/foreignKeys/0 lacks fields"},
+    {{{"schema/foreignKeys/0/reference", ""}}, "schema/foreignKeys/0 lacks reference"},
+    {{{"schema/foreignKeys/0/reference/resource", ""}}, "foreignKeys/0/reference lacks resource"},
+    {{{"schema/foreignKeys/0/reference/fields", ""}}, "foreignKeys/0/reference lacks fields"},
     {{{"schema/fields/1/name", R"("state")"}}, "the schema lacks the field phase"},
     {{{"/resources/1/schema/fields/1/name", R"("kind")"}},
      "is of the kind events, but the schema lacks the field change"}};
@@ -285,6 +269,8 @@ const std::vector<Defect> comparison_defects{
     {{{"comparison/kind", R"("list")"}}, "one of table, curve, events, phases"},
     {{{"comparison/kind", R"("table")"}, {"schema/primaryKey", ""}},
      "is of the kind table, but the schema lacks a primaryKey"},
+    {{{"comparison/abscissa", ""}}, "resources/history/comparison lacks abscissa"},
+    {{{"comparison/events", ""}}, "resources/history/comparison lacks events"},
     {{{"comparison/values", "[]"}}, "values is an array, but must be an array"},
     {{{"comparison/values/0/field", R"("y_radiu")"}}, "a field of the schema (did you mean y_radius?)"},
     {{{"comparison/values/0/field", R"("phase")"}}, "but must be a field of numbers"},
@@ -352,9 +338,9 @@ TEST_F(ReferenceReader, AcceptsPackagesAtTheEdgeOfWhatIsAllowed) {
   }
 }
 
+// PackageKeys in input_matrix_test.cpp leaves out each key of a published package.
 TEST_F(ReferenceReader, RefusesEveryDefectOfAPackageAtItsPlace) {
-  for (const auto& defects :
-       {missing_keys(), resource_defects, field_defects, comparison_defects, other_defects})
+  for (const auto& defects : {resource_defects, field_defects, comparison_defects, other_defects})
     for (const Defect& defect : defects) {
       write_package(spoiled(defect));
       const std::string sentence = error_message();
@@ -423,25 +409,6 @@ TEST_F(ReferenceReader, RefusesEveryDefectOfATableAtItsPlace) {
     write_history(csv);
     EXPECT_EQ(error_message("history"), "history.csv:" + sentence);
   }
-}
-
-// A key that becomes optional by mistake leaves the table above, too.
-TEST_F(ReferenceReader, RequiresTheseKeysOfADataSet) {
-  const data::KeysByPlace keys = data::required_keys();
-  EXPECT_EQ((std::map<std::string, std::vector<std::string>>(keys.begin(), keys.end())),
-            (std::map<std::string, std::vector<std::string>>{
-                {"", {"name", "path", "bytes", "hash", "title", "description", "schema", "provenance"}},
-                {"schema", {"fields"}},
-                {"schema/fields/0", {"name", "type"}},
-                {"schema/fields/0/constraints", {}},
-                {"schema/foreignKeys/0", {"fields", "reference"}},
-                {"schema/foreignKeys/0/reference", {"resource", "fields"}},
-                {"comparison", {"kind", "values"}},
-                {"comparison/values/0", {"field", "norm", "tolerance"}},
-                {"comparison/values/0/decided_by", {"field", "threshold"}},
-                {"comparison/interpolation", {"order", "error"}},
-                {"diagnosis", {"quantity", "case", "abscissa", "value"}},
-                {"provenance", {"class", "method", "settings", "software", "checks"}}}));
 }
 
 STICKSLIP_VERIFIES(ReferenceKeys, "P5");

@@ -208,9 +208,4 @@ struct ReferenceTable {
 /// The JSON object of a data set in datapackage.json, from which load_reference() makes the same one.
 [[nodiscard]] std::string json_text(Resource resource);
 
-/// The keys that each object in the description of a data set must have, by its place: a JSON pointer without the first
-/// "/", such as "comparison/values/0"; "" is the data set itself.
-using KeysByPlace = std::vector<std::pair<std::string, std::vector<std::string>>>;
-[[nodiscard]] KeysByPlace required_keys();
-
 }  // namespace stickslip::data
