@@ -115,80 +115,22 @@ TEST(FlutterLoadOrder, IsFourAndTendsToBecksLoad) {
       discretisation((study.finite_element[2] - study.closed_form) / 15.0, 0.2, "extrapolation of order 4")));
 }
 
-// Steady vibration of the semi-discrete stick state at the excitation frequency, tip prescribed, amplitude 1
-// of the base.
-Eigen::VectorXd steady_state(const solver::BeamModel& model, double omega) {
-  const Eigen::Index tip = model.tip_deflection();
-  Eigen::MatrixXd dynamic =
-      Eigen::MatrixXd(model.stick_stiffness()) - omega * omega * Eigen::MatrixXd(model.mass());
-  Eigen::VectorXd right_side = omega * omega * model.base_load() + dynamic.col(tip);
-  dynamic.row(tip).setZero();
-  dynamic.col(tip).setZero();
-  dynamic(tip, tip) = 1.0;
-  right_side[tip] = -1.0;
-  return dynamic.partialPivLu().solve(right_side);
-}
-
-// f = -f_d by the balance of the tip's row, including the follower term.
-double reaction_by_residual(const solver::BeamModel& model, const Eigen::VectorXd& q, double omega) {
-  const Eigen::VectorXd balance =
-      model.slip_stiffness() * q - omega * omega * (model.mass() * q + model.base_load());
-  return -balance[model.tip_deflection()];
-}
-
-// f = EI u''' from the shape functions of the last element, in which it is constant.
-double reaction_by_shape_functions(const solver::BeamModel& model, const Eigen::VectorXd& q) {
-  const double l = model.beam().length() / model.elements();
-  const Eigen::Vector4d third(12.0, 6.0 * l, -12.0, 6.0 * l);
-  return rigidity(model.beam()) / (l * l * l) * third.dot(q.tail<4>());
-}
-
 STICKSLIP_VERIFIES(ReactionOrder, "F4");
-// f by the shape functions is EI int w u''' ds with w = 6 s (1 - s) over the last element, s from the tip: by
-// Taylor's series EI [u''' - l/2 u'''' + 3/20 l^2 u^(5) - l^3/42 ... u^(6) + l^4/168 u^(7)] at x = L. It
-// would be of order one, were u'''' not zero there: EI u'''' = -rho A y_tt - P u'', and a stuck tip neither
-// accelerates nor bends; u^(6) vanishes for the same reason.
-TEST(ReactionOrder, IsFourByResidualAndTwoByShapeFunctions) {
-  for (const double hz : {15.0, 35.0, 70.0}) {
-    const Vibration vibration{hz, data::Damping(), analytic::TipSupport::held};
-    const double omega = vibration.omega();
-    const double exact = analytic::StickResponse(paper_beam(), data::HarmonicExcitation({hz, 1.0}), 10,
-                                                 analytic::SteadyPart::exact)
-                             .steady_force_amplitude();
-    const MeshError mesh_error(vibration);
-    const auto solution = vibration.solution();
-    const double fifth =
-        rigidity(paper_beam()) * std::abs(solution.derivative(5, 2.0)) / Vibration::amplitude;
-    const double seventh =
-        rigidity(paper_beam()) * std::abs(solution.derivative(7, 2.0)) / Vibration::amplitude;
-    std::vector<OrderLevel> by_residual, by_shape_functions;
-    double constant = 0.0;
-    for (const int elements : {8, 12, 16, 24, 32, 48}) {
-      const solver::BeamModel model(paper_beam(), elements);
-      const Eigen::VectorXd q = steady_state(model, omega);
-      const double l = 2.0 / elements;
-      const auto [leading, next] = mesh_error.predicted(elements);
-      const double of_residual = std::abs(leading.force) / Vibration::amplitude;
-      constant = of_residual / std::pow(l, 4);
-      // The stiffness of n elements is known to n^4 eps, unit amplitudes; a force is EI n^3/L^3 of that.
-      const double floor = round_off(1, std::pow(elements, 4), std::abs(exact)).value;
-      by_residual.push_back({.step = l,
-                             .error = std::abs(reaction_by_residual(model, q, omega) - exact),
-                             .next_term = std::abs(next.force) / std::abs(leading.force),
-                             .floor = floor});
-      // The next term: u^(7), and the nodes, which are off by l^4 and so that the residual is off as
-      // predicted.
-      const double of_shape_functions = 0.15 * l * l * fifth;
-      by_shape_functions.push_back(
-          {.step = l,
-           .error = std::abs(reaction_by_shape_functions(model, q) - exact),
-           .next_term = (std::pow(l, 4) / 168.0 * seventh + 2.0 * of_residual) / of_shape_functions,
-           .floor = floor});
-    }
-    EXPECT_LT(by_residual.back().error, 1e-5 * std::abs(exact));
-    by_residual.resize(4);  // on more than 24 elements round-off, n^4, is in the way
-    EXPECT_TRUE(order_is(by_residual, 4.0, constant)) << hz << " Hz";
-    EXPECT_TRUE(order_is(by_shape_functions, 2.0, 0.15 * fifth)) << hz << " Hz";
+// The next term is (beta l)^2/10 with beta L = 3.93 of mode 1, below whose frequency the excitation stays: above it the
+// constant passes zero.
+TEST(ReactionOrder, IsFourByTheBalanceOfTheTip) {
+  for (const double hz : {5.0, 15.0, 20.0}) {
+    const data::Case problem = paper_problem(hz, 1.0);
+    const double exact =
+        std::abs(analytic::StickResponse(problem.beam, problem.excitation, 10, analytic::SteadyPart::exact)
+                     .steady_force_amplitude());
+    std::vector<OrderLevel> levels;
+    for (const int n : {4, 6, 8, 12})
+      levels.push_back({.step = 1.0 / n,
+                        .error = std::abs(finite_element_steady_force(problem, n) - exact),
+                        .next_term = std::pow(3.93 / n, 2) / 10.0,
+                        .floor = round_off(1, std::pow(n, 4), exact).value});
+    EXPECT_TRUE(order_is(levels, 4.0)) << hz << " Hz";
   }
 }
 
