@@ -410,6 +410,19 @@ TEST(EnergyRecorder, OverwrittenVelocityLeavesAResidual) {
   EXPECT_GT(residual(ContactScheme::paper), 100.0 * residual(ContactScheme::located));
 }
 
+STICKSLIP_VERIFIES(EnergyResidual, "F8");
+// Where the 23 changes split their steps scatters a ratio of 4; that over three halvings is 64, to a factor of 2.
+TEST(EnergyResidual, IsOfSecondOrderThroughAllChanges) {
+  for (const double radius : {0.0, 0.5, 0.9, 1.0}) {
+    const auto residual = [&](double h) {
+      return std::abs(balance_of_the_pair({.time_step = h, .spectral_radius = radius}).residual());
+    };
+    const double ratio = residual(0.006) / residual(0.00075);
+    EXPECT_GT(ratio, 32.0) << radius;
+    EXPECT_LT(ratio, 128.0) << radius;
+  }
+}
+
 TEST(EnergyRecorder, BooksNoImpulseOfAContactOnASpring) {
   // The slider comes to rest while the mass still moves.
   solver::ContactSystem system = contact_system(oscillating_mass);

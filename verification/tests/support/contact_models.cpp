@@ -140,25 +140,15 @@ ExactPair::ExactPair(const ForcedPair& pair, double position) : pair_(pair) {
   state_ << 0.0, position, 0.0, pair.omega * pair.wall_amplitude, 0.0, 1.0, 1.0;
 }
 
-void ExactPair::run(double end_time, const std::function<void(const ExactPair&)>& visit) {
+void ExactPair::run(double end_time) {
   const double span = end_time / 1000.0;
-  visit(*this);
   while (end_time - time_ > 1e-12 * end_time) {
     const double length = std::min(span, end_time - time_);
     const double end = excess(length) < 0.0 ? length : phase_end(length);
     state_ = after(end);
     time_ += end;
-    visit(*this);
-    if (end == length) continue;
-    change_phase();
-    visit(*this);
+    if (end < length) change_phase();
   }
-}
-
-Eigen::Vector2d ExactPair::velocity_derivative(int order) const {
-  State x = state_;
-  for (int i = 0; i < order; ++i) x = rate_matrix() * x;
-  return x.segment<2>(2);
 }
 
 ExactPair::Rows ExactPair::forces(const Eigen::Matrix2d& stiffness) const {

@@ -95,19 +95,13 @@ class ExactPair {
   /// The second mass starts at `position`, m.
   explicit ExactPair(const ForcedPair& pair, double position = 0.0);
 
-  /// Runs to end_time; looks for the end of a phase on a grid of 1/1000 of it. Visits the start, the points
-  /// of the grid and both sides of every change: between two visits at different times lies a piece of one
-  /// phase.
-  void run(
-      double end_time, const std::function<void(const ExactPair&)>& visit = [](const ExactPair&) {});
+  /// Runs to end_time; looks for the end of a phase on a grid of 1/1000 of it.
+  void run(double end_time);
 
   [[nodiscard]] const std::vector<data::ContactEvent>& events() const { return events_; }
   [[nodiscard]] Eigen::Vector2d displacement() const { return state_.head<2>(); }
   [[nodiscard]] Eigen::Vector2d velocity() const { return state_.segment<2>(2); }
-  [[nodiscard]] double time() const { return time_; }
   [[nodiscard]] bool stuck() const { return direction_ == 0.0; }
-  /// The derivative of the velocity of that order, 1 the acceleration.
-  [[nodiscard]] Eigen::Vector2d velocity_derivative(int order) const;
 
  private:
   // (q_1, q_2, v_1, v_2, sin omega t, cos omega t, 1): every phase is x_t = A x.
