@@ -452,20 +452,6 @@ double resistance_of_the_boundary_integral(double v, double weight) {
 }
 
 STICKSLIP_VERIFIES(StribeckLaw, "P2");
-TEST(StribeckLaw, HasItsMinimumWhereTheSlopesOfItsTermsCancel) {
-  const double at = std::log(0.3 * 2.0 / 0.1) / 2.0;  // ln((mu_s - mu_m) alpha/beta)/alpha
-  const double lowest = normal_force * (0.3 + 0.1 / 2.0 + 0.1 * at);
-  EXPECT_TRUE(within(resistance_of_the_solver(at), lowest, round_off(10, 1, lowest)));
-  // A step d beside it the law is higher by alpha beta d^2/2, since mu'' = alpha beta there; next term alpha d/3.
-  for (const double step : {-1e-3, 1e-3}) {
-    const double rise = 0.5 * normal_force * 2.0 * 0.1 * step * step;
-    EXPECT_TRUE(within(resistance_of_the_solver(at + step) - lowest, rise,
-                       discretisation(rise * 2.0 * 1e-3 / 3.0, 2.0, "the third derivative")));
-  }
-  EXPECT_EQ(resistance_of_the_solver(0.0), 6.0);
-  EXPECT_GT(resistance_of_the_solver(5.0), 6.0);  // it may exceed mu_s
-}
-
 TEST(StribeckLaw, HoldsInEveryStepOfTheBoundaryIntegral) {
   // kappa W_0 = 6 W_0 < 1.
   for (const double weight : {1e-3, 0.05, 0.16})
