@@ -251,35 +251,6 @@ TEST_F(CommandLine, RespondFollowsTheSchemeAskedFor) {
   EXPECT_DOUBLE_EQ(first_slip("paper"), 0.0553);
 }
 
-TEST_F(CommandLine, EveryThinsTheRowsAndChangesNone) {
-  const auto all = csv(run("respond --hz 25 --amplitude 1e-3 --duration 0.08").output);
-  const auto some = csv(run("respond --hz 25 --amplitude 1e-3 --duration 0.08 --every 50").output);
-  ASSERT_EQ(some.size(), 1U + 800U / 50U + 1U);
-  EXPECT_EQ(all[0], (std::vector<std::string>{"time_s", "base_displacement_m", "tip_displacement_m",
-                                              "midspan_displacement_m", "sliding_velocity_m_per_s",
-                                              "friction_force_N", "state"}));
-  EXPECT_EQ(all[1], (std::vector<std::string>{"0", "0", "0", "0", "0", "0", "stick"}));
-  for (std::size_t i = 1; i < some.size(); ++i) EXPECT_EQ(some[i], all[1 + 50 * (i - 1)]);
-  EXPECT_EQ(some.back().back(), "slip");
-}
-
-TEST_F(CommandLine, FiniteElementsFollowTheDampingOfTheCase) {
-  const auto history = [&](const std::string& options) {
-    return csv(run("respond paper --hz 25 --amplitude 1e-3 --duration 0.1 " + options).output);
-  };
-  const auto damped = csv(run("respond damped --duration 0.1 --set numerics.elements=20 --set "
-                              "numerics.time_step=1e-4 --set numerics.velocity_threshold=1e-4")
-                              .output);
-  EXPECT_EQ(damped, history("--set damping.kelvin_voigt=6.4e-5"));
-  EXPECT_NE(damped, history(""));
-  // The event-driven integration of the damped beam slips at 0.055321 s, the undamped one at 0.05524 s.
-  EXPECT_GT(json("respond damped --duration 0.1 --output damped.csv")["first_slip_s"], 0.0553);
-  EXPECT_NE(history("--set damping.ratio=0.01"), history(""));
-  expect_refused(
-      "respond --duration 0.01 --set damping.ratio=0.01 --set numerics.elements=501 --output none.csv",
-      "numerics.elements is 501, but must be at most 500 with a damping.ratio above 0");
-}
-
 TEST_F(CommandLine, ContactThatYieldsIsForHistoriesAlone) {
   const std::string spring = " --set contact.tangential_stiffness=1e6 ",
                     smooth = " --set contact.regularisation_velocity=0.01 ";

@@ -196,6 +196,9 @@ TEST_F(RespondFigure, IsDrawnFromTheRowsAndTheLimit) {
   const std::string drawn = contents("history.png");
   EXPECT_EQ(drawn.find(contents("history.csv").substr(contents("history.csv").find('\n') + 1)), 0u);
   EXPECT_TRUE(drawn.ends_with("limit,300,N\n")) << drawn;
+  EXPECT_TRUE(
+      drawn.starts_with("time_s,base_displacement_m,tip_displacement_m,midspan_displacement_m,"
+                        "sliding_velocity_m_per_s,friction_force_N,state\n0,0,0,0,0,0,stick\n"));
   expect_refused("respond paper --duration 0.001 --figure a.jpg", "--figure is 'a.jpg'");
   for (const std::string other : {"--output", "--events", "--spectrum"})
     expect_refused("respond paper " + other + " b.png --figure b.png",
@@ -225,6 +228,7 @@ TEST_F(FigureOfAVerdict, IsTheCriticalAmplitudeAroundTheFrequency) {
     const auto answer = json("criterion " + name + " --hz 35 --figure curve.svg");
     const auto rows = numbers(contents("curve.svg"));
     ASSERT_EQ(rows.size(), 241u + 2u);  // two natural frequencies are among them
+    EXPECT_TRUE(std::ranges::is_sorted(rows));
     EXPECT_NEAR(rows[0][0], 35.0 / 4.0, 1e-13);
     EXPECT_NEAR(rows.back()[0], 35.0 * 4.0, 1e-12);
     const auto here =
@@ -235,6 +239,9 @@ TEST_F(FigureOfAVerdict, IsTheCriticalAmplitudeAroundTheFrequency) {
     EXPECT_TRUE(holds(contents("marks.csv"), name.ends_with("41") ? "24.724" : "24.971958"));
     EXPECT_TRUE(holds(contents("values.csv"), "excitation_frequency,35,Hz"));
   }
+  const double natural =
+      json("criterion paper --hz 5 --figure curve.svg")["nearest_natural_frequency"]["frequency_hz"];
+  EXPECT_NEAR(numbers(contents("curve.svg")).back()[0], 1.25 * natural, 1e-12);
   expect_refused("criterion paper --figure a.jpg", "--figure is 'a.jpg'");
 }
 
