@@ -64,25 +64,5 @@ TEST(CriterionAnswer, OnlyANaturalFrequencyItselfHasNoSteadyForce) {
               1e-4);
 }
 
-STICKSLIP_VERIFIES(CriticalAmplitudeCurve, "U1");
-TEST(CriticalAmplitudeCurve, AmplitudesAreThoseOfTheCriterion) {
-  const data::Case problem = paper_at("35", "1e-3");
-  const auto curve = studies::critical_amplitude_curve(problem);
-  EXPECT_DOUBLE_EQ(curve.hz.front(), 35.0 / 4.0);
-  EXPECT_DOUBLE_EQ(curve.hz.back(), 4.0 * 35.0);
-  EXPECT_NEAR(studies::critical_amplitude_curve(paper_at("5", "1e-3")).hz.back(), 1.25 * curve.natural_hz[0],
-              1e-12);
-  EXPECT_TRUE(std::ranges::is_sorted(curve.hz));
-  ASSERT_EQ(curve.natural_hz.size(), 10u);
-  EXPECT_EQ(std::ranges::count(curve.hz, curve.natural_hz.front()), 1);
-  for (const std::size_t i : {0u, 77u, 200u}) {
-    const auto criterion = analytic::evaluate_criterion(
-        problem.beam, problem.friction,
-        data::HarmonicExcitation({.frequency_hz = curve.hz[i], .amplitude = 1.0}),
-        problem.numerics.duration(), 10);
-    EXPECT_NEAR(curve.amplitudes[i] / criterion.critical_amplitude.midpoint(), 1.0, 1e-3) << curve.hz[i];
-  }
-}
-
 }  // namespace
 }  // namespace stickslip::testing
