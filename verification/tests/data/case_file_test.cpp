@@ -143,17 +143,6 @@ TEST_F(CaseFile, MustHoldKeysOrWhatStandsForThem) {
               "bar.toml: " + key + " is missing, but a case must hold it" + otherwise);
 }
 
-TEST_F(CaseFile, IsUndampedWhereItDoesNotSayOtherwise) {
-  for (const std::string& text :
-       {case_without_table("damping"), case_without_table("damping") + "[damping]\n"}) {
-    const auto problem = data::read_case(write(text));
-    EXPECT_EQ(problem.damping.kelvin_voigt(), 0.0);
-    EXPECT_EQ(problem.damping.ratio(), 0.0);
-  }
-  EXPECT_EQ(data::read_case(write(case_with("damping.kelvin_voigt", ""))).damping.ratio(), 0.01);
-  EXPECT_EQ(data::read_case(write(case_with("damping.ratio", ""))).damping.kelvin_voigt(), 6.4e-5);
-}
-
 TEST_F(CaseFile, IsDampedByAnOverrideWithoutATableOfItsOwn) {
   const std::string undamped = case_without_table("damping");
   const auto problem =
