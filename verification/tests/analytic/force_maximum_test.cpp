@@ -226,17 +226,6 @@ TEST(BandMaximum, UpperBoundHoldsBetweenTheFrequenciesEvaluated) {
       }
 }
 
-TEST(BandMaximum, FindsAResonanceFarNarrowerThanTheBand) {
-  // Over 30 s the resonance is some 0.03 Hz wide.
-  constexpr double duration = 30.0;
-  const double natural = analytic::stick_modes(paper_beam(), 1).front().frequency_hz();
-  BandMaximum search(paper_beam(), {1.0, 60.0}, duration);
-  const Bounds bounds = search.refined_to(1e-4);
-  EXPECT_GE(bounds.lower, (1.0 - 1e-4) * force_at(natural, duration).lower);
-  EXPECT_TRUE(within(search.frequency_hz(), natural,
-                     discretisation(1.0 / duration, 1.0, "width of a resonance over the duration")));
-}
-
 TEST(BandMaximum, LooksNoFurtherThanALimitAsks) {
   BandMaximum full(paper_beam(), {26.0, 60.0}, 10.0);
   const double largest = full.refined_to(1e-6).midpoint();
