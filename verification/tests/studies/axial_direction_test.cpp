@@ -27,7 +27,6 @@
 #include "support/order.hpp"
 #include "support/random_beams.hpp"
 #include "support/testing.hpp"
-#include "support/vibration.hpp"
 
 namespace stickslip::testing {
 namespace {
@@ -127,25 +126,6 @@ TEST_P(AxialDirection, SlipFrequenciesOfTheMeshHaveOrderFour) {
                         .floor = 1e-11});
     }
     EXPECT_TRUE(order_is(levels, 4.0)) << "mode " << mode.mode;
-  }
-}
-
-TEST_P(AxialDirection, SteadyForceOfTheMeshHasOrderFour) {
-  // (beta l)^2/10, with beta L = 3.9 of mode 1, below whose frequency the excitation stays:
-  // above it the constant passes zero.
-  const data::Case damped = case_with_direction("damped", GetParam());
-  for (const double hz : {5.0, 20.0}) {
-    const data::Case at = data::with_value(damped, "excitation.frequency_hz", hz);
-    const double force =
-        std::abs(analytic::DampedSteadyState(at.beam, at.excitation, at.damping, analytic::TipSupport::held)
-                     .friction_force());
-    std::vector<OrderLevel> levels;
-    for (const int n : {4, 6, 8, 12})
-      levels.push_back({.step = 1.0 / n,
-                        .error = std::abs(finite_element_steady_force(at, n) - force),
-                        .next_term = std::pow(3.93 / n, 2) / 10.0,
-                        .floor = 1e-11 * force});
-    EXPECT_TRUE(order_is(levels, 4.0)) << hz;
   }
 }
 
