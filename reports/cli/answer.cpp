@@ -61,6 +61,19 @@ Value between(const analytic::Bounds& bounds) {
   return {{{"lower", bounds.lower}, {"upper", bounds.upper}}, common_digits(bounds)};
 }
 
+Value estimated(const studies::Estimate& estimate, std::string text) {
+  return {{{"value", finite_json(estimate.value)},
+           {"lower", finite_json(estimate.lower)},
+           {"upper", finite_json(estimate.upper)}},
+          std::move(text)};
+}
+
+Value estimated(const studies::Estimate& estimate, int decimals) {
+  const auto& [value, lower, upper] = estimate;
+  return estimated(estimate,
+                   fmt::format("{0:.{3}f} ({1:.{3}f} ... {2:.{3}f})", value, lower, upper, decimals));
+}
+
 Value word(std::string_view text) { return {text, std::string(text)}; }
 
 Value count(std::size_t number) { return {number, std::to_string(number)}; }

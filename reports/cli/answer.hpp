@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "stickslip/analytic/force_maximum.hpp"
+#include "studies/analyses/sampling.hpp"
 
 namespace stickslip::cli {
 
@@ -40,6 +41,10 @@ struct Value {
 
 /// {"lower": ..., "upper": ...}, and common_digits().
 [[nodiscard]] Value between(const analytic::Bounds& bounds);
+
+/// {"value": ..., "lower": ..., "upper": ...}, null for an end that too few samples leave open, and that text or "value (lower ... upper)".
+[[nodiscard]] Value estimated(const studies::Estimate& estimate, std::string text);
+[[nodiscard]] Value estimated(const studies::Estimate& estimate, int decimals);
 
 /// A word, or a number of things.
 [[nodiscard]] Value word(std::string_view text);

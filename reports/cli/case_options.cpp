@@ -51,17 +51,18 @@ std::vector<data::Override> overrides_of(const CaseOptions& options) {
   return overrides;
 }
 
-std::vector<std::vector<data::Override>> read_plan(const std::string& file) {
+std::vector<std::vector<data::Override>> read_rows(const std::string& file, std::string_view what) {
   const std::string text = data::read_table_text(file);
   data::CsvReader csv(file, text);
-  std::vector<std::vector<data::Override>> points;
+  std::vector<std::vector<data::Override>> rows;
   while (const auto cells = csv.next_row()) {
-    auto& point = points.emplace_back();
+    auto& row = rows.emplace_back();
     for (std::size_t i = 0; i < cells->size(); ++i)
-      point.push_back({csv.names()[i], (*cells)[i], csv.place(csv.line(), i)});
+      row.push_back({csv.names()[i], (*cells)[i], csv.place(csv.line(), i)});
   }
-  if (points.empty()) throw data::InputError(file + ": the plan has no rows, but must have at least one");
-  return points;
+  if (rows.empty())
+    throw data::InputError(fmt::format("{}: {} has no rows, but must have at least one", file, what));
+  return rows;
 }
 
 data::Case load_case(const CaseOptions& options, const std::vector<data::Override>& more) {

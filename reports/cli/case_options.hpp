@@ -40,8 +40,9 @@ void add_duration_option(CLI::App& command, CaseOptions& options,
 /// The overrides of --set, then those of the options with a name of their own. Throws data::InputError.
 [[nodiscard]] std::vector<data::Override> overrides_of(const CaseOptions& options);
 
-/// The overrides of each row of a CSV file with a column for each key, of one row at least. Throws data::InputError.
-[[nodiscard]] std::vector<std::vector<data::Override>> read_plan(const std::string& file);
+/// The cells of each row of a CSV file as overrides of its columns. Throws data::InputError, also without a row, naming what it is.
+[[nodiscard]] std::vector<std::vector<data::Override>> read_rows(const std::string& file,
+                                                                 std::string_view what);
 
 /// The case with those overrides and some more. Throws data::InputError.
 [[nodiscard]] data::Case load_case(const CaseOptions& options, const std::vector<data::Override>& more = {});

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "case_options.hpp"
 #include "command.hpp"
 #include "commands.hpp"
 #include "comparison/diagnosis/diagnosis.hpp"
@@ -17,7 +18,6 @@
 #include "program.hpp"
 #include "range_text.hpp"
 #include "render/criterion_map.hpp"
-#include "stickslip/data/csv_text.hpp"
 #include "stickslip/data/input_text.hpp"
 
 namespace stickslip::cli {
@@ -25,12 +25,11 @@ namespace stickslip::cli {
 namespace {
 
 struct CompareOptions {
-  std::string name, file, events, rows, manifest;
+  std::string name, file, events, rows, manifest, junit, figure;
   std::string package = data::reference_directory().string();
   std::vector<std::string> columns, names, tolerances;
   std::optional<double> until;
   OwnComparison own;
-  std::string junit, figure;
 };
 
 // The comparisons that are asked for: one, or those of the lines of the manifest, whose files are next to it.
@@ -40,23 +39,21 @@ std::vector<CompareOptions> runs_of(const CompareOptions& options) {
                                                                      {"file", &CompareOptions::file},
                                                                      {"events", &CompareOptions::events},
                                                                      {"rows", &CompareOptions::rows}};
-  const std::string text = data::read_table_text(options.manifest);
-  data::CsvReader csv(options.manifest, text);
-  for (const std::string& name : csv.names())
-    if (!columns.contains(name))
-      throw data::FieldError("a column of the manifest", data::printable(name),
-                             "one of data_set, file, events, rows");
   std::vector<CompareOptions> runs;
-  while (const auto cells = csv.next_row()) {
+  for (const auto& row : read_rows(options.manifest, "the manifest")) {
     CompareOptions& run = runs.emplace_back(options);
-    for (std::size_t i = 0; i < cells->size(); ++i) run.*columns.at(csv.names()[i]) = (*cells)[i];
+    for (const auto& [column, cell, place] : row) {
+      if (!columns.contains(column))
+        throw data::FieldError("a column of the manifest", data::printable(column),
+                               "one of data_set, file, events, rows");
+      run.*columns.at(column) = cell;
+    }
     if (run.name.empty() || run.file.empty())
-      throw data::InputError(csv.place(csv.line()) + ": data_set or file is empty, but must be a name");
+      throw data::InputError(fmt::format("{}, row {}: data_set or file is empty, but must be a name",
+                                         options.manifest, runs.size()));
     for (std::string* const file : {&run.file, &run.events})
       if (!file->empty()) *file = (std::filesystem::path(options.manifest).parent_path() / *file).string();
   }
-  if (runs.empty())
-    throw data::InputError(options.manifest + ": the manifest has no rows, but must have at least one");
   return runs;
 }
 

@@ -114,8 +114,8 @@ data::Case case_of(const CaseOptions& options, const std::vector<data::Override>
 
 // A row for each case and point, with all modes.
 Answer table_of_cases(const CriterionOptions& options, Outputs& outputs) {
-  const auto points =
-      options.plan.empty() ? std::vector<std::vector<data::Override>>(1) : read_plan(options.plan);
+  const auto points = options.plan.empty() ? std::vector<std::vector<data::Override>>(1)
+                                           : read_rows(options.plan, "the plan");
   std::vector<CaseOptions> cases{options.problem};
   for (const std::string& name : options.more) cases.emplace_back(options.problem).name = name;
   Table table{.columns = {{"case", "case"}}, .rows = {}};

@@ -6,7 +6,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <stdexcept>
 #include <utility>
 
@@ -31,14 +30,6 @@ std::optional<std::string> text_of(const CLI::App& command, const std::string& n
   const CLI::Option* const option = command.get_option_no_throw(name);
   if (option == nullptr || option->count() == 0) return std::nullopt;
   return option->results().back();
-}
-
-// "pdf", "png" or "svg", by the name of the file. Throws data::InputError for another one.
-std::string figure_format(const std::string& figure) {
-  const std::string extension = std::filesystem::path(figure).extension().string();
-  if (extension == ".pdf" || extension == ".png" || extension == ".svg") return extension.substr(1);
-  throw data::FieldError("--figure", fmt::format("'{}'", data::printable(figure)),
-                         "a file whose name ends in .pdf, .png or .svg");
 }
 
 // Throws data::InputError if two options cannot both have their file.
@@ -85,7 +76,7 @@ void Outputs::open(const std::vector<Named>& files) {
   for (const Named& name : files) {
     if (name.path.empty()) continue;
     if (name.option == "--figure") {
-      look_.format = figure_format(name.path);
+      look_.format = report::figure_format(name.path);
       (void)report::templates_directory();  // throws now rather than after the work
       report::require_tool("gnuplot");
     }
@@ -152,9 +143,8 @@ void Outputs::write_table(std::string_view option, const std::function<std::stri
 }
 
 void Outputs::write_json(const Json& answer) {
-  Json whole = head_;
-  whole.update(answer);
-  write("--json", [&] { return whole.dump(2) + "\n"; });
+  head_.update(answer);
+  write("--json", [&] { return head_.dump(2) + "\n"; });
 }
 
 void Outputs::draw(const std::string& title, const std::function<std::string(const report::Look&)>& drawing) {
@@ -164,9 +154,8 @@ void Outputs::draw(const std::string& title, const std::function<std::string(con
     try {
       return drawing(look_);
     } catch (const std::runtime_error& error) {
-      const std::string paths = written();
-      if (paths.empty()) throw;
-      throw std::runtime_error(fmt::format("{}; the rest is in {}", error.what(), paths));
+      if (written().empty()) throw;
+      throw std::runtime_error(fmt::format("{}; the rest is in {}", error.what(), written()));
     }
   });
 }

@@ -9,8 +9,7 @@
 #include "command.hpp"
 #include "commands.hpp"
 #include "range_text.hpp"
-#include "render/csv_table.hpp"
-#include "render/drawing.hpp"
+#include "render/criterion_map.hpp"
 #include "studies/analyses/slip_probability.hpp"
 
 namespace stickslip::cli {
@@ -26,18 +25,6 @@ struct UncertaintyOptions {
 
 constexpr int digits = 4;
 
-std::string with_interval(const studies::Estimate& estimate, int decimals) {
-  return fmt::format("{0:.{3}f} ({1:.{3}f} ... {2:.{3}f})", estimate.value, estimate.lower, estimate.upper,
-                     decimals);
-}
-
-// null for an end that too few samples leave open.
-Json to_json(const studies::Estimate& estimate) {
-  return {{"value", finite_json(estimate.value)},
-          {"lower", finite_json(estimate.lower)},
-          {"upper", finite_json(estimate.upper)}};
-}
-
 Value margin_of(const std::optional<double>& margin) {
   return {optional_json(margin), margin ? significant(*margin, digits) : "no beam"};
 }
@@ -45,57 +32,46 @@ Value margin_of(const std::optional<double>& margin) {
 // What is asked, and how the samples came out.
 void add_samples(Answer& answer, const data::Case& problem, const UncertaintyOptions& options,
                  const studies::SlipUncertainty& result) {
-  if (const auto& band = options.sampling.band)
-    answer.add_members({{"band_hz", {band->from_hz, band->to_hz}}});
-  else
-    answer.add_members({{"frequency_hz", problem.excitation.frequency_hz()}});
-  answer.add_line(fmt::format("{}, {} modes; {} samples, seed {}\n",
-                              conditions_of(problem, options.sampling.band), problem.numerics.modes(),
-                              options.sampling.samples, options.sampling.seed));
+  const auto& band = options.sampling.band;
+  answer.add_members(band ? Json{{"band_hz", {band->from_hz, band->to_hz}}}
+                          : Json{{"frequency_hz", problem.excitation.frequency_hz()}});
+  answer.add_line(fmt::format("{}, {} modes; {} samples, seed {}\n", conditions_of(problem, band),
+                              problem.numerics.modes(), options.sampling.samples, options.sampling.seed));
   answer.add_row("probability of slip",
-                 {fmt::format("{}: {} of {}", with_interval(result.probability_of_slip, 5), result.slips,
+                 {fmt::format("{}: {} of {}", estimated(result.probability_of_slip, 5).text, result.slips,
                               result.valid)});
   if (const auto& all = result.all_modes) {
+    const Value probability = estimated(all->probability_of_slip, 5);
     answer.add_row("the same, all modes",
-                   {fmt::format("{}: {} of the first {}, of which {} with {} modes",
-                                with_interval(all->probability_of_slip, 5), all->slips, all->valid,
-                                all->slips_truncated, problem.numerics.modes())});
+                   {fmt::format("{}: {} of the first {}, of which {} with {} modes", probability.text,
+                                all->slips, all->valid, all->slips_truncated, problem.numerics.modes())});
     answer.add_members({{"all_modes",
                          {{"valid_samples", all->valid},
                           {"slips", all->slips},
                           {"slips_with_modes", all->slips_truncated},
-                          {"probability_of_slip", to_json(all->probability_of_slip)}}}});
+                          {"probability_of_slip", probability.json}}}});
   }
-  Json invalid = Json::object();
-  for (const auto& [reason, count] : result.invalid) {
-    invalid[reason] = count;
+  for (const auto& [reason, count] : result.invalid)
     answer.add_row("samples that are no beam", {fmt::format("{}: {}", count, reason)});
-  }
   answer.add_members({{"samples", options.sampling.samples},
                       {"seed", options.sampling.seed},
                       {"valid_samples", result.valid},
-                      {"invalid_samples", invalid},
+                      {"invalid_samples", result.invalid},
                       {"probability_of_slip", result.probability_of_slip.value},
                       {"probability_lower", result.probability_of_slip.lower},
                       {"probability_upper", result.probability_of_slip.upper}});
 }
 
-void add_quantiles(Answer& answer, const std::vector<studies::SlipUncertainty::Quantile>& quantiles) {
-  Json list = Json::array();
-  std::string probabilities, amplitudes, margins;
-  for (const auto& [probability, amplitude, margin] : quantiles) {
-    probabilities += fmt::format("{:<12}", fmt::format("{:.0f} %", 100.0 * probability));
-    amplitudes += fmt::format("{:<12}", significant(amplitude.value, digits));
-    margins += fmt::format("{:<12}", significant(margin.value, digits));
-    list.push_back({{"probability", probability},
-                    {"critical_amplitude_m", to_json(amplitude)},
-                    {"margin", to_json(margin)}});
-  }
-  answer.add_line();
-  answer.add_row("quantile", {probabilities});
-  answer.add_row("critical amplitude / m", {amplitudes});
-  answer.add_row("margin mu_s P/|f_max|", {margins});
-  answer.add_members({{"quantiles", list}});
+Table table_of(const std::vector<studies::SlipUncertainty::Quantile>& quantiles) {
+  Table table{.columns = {{"quantile", "probability", 28},
+                          {"critical amplitude / m", "critical_amplitude_m", 26},
+                          {"margin mu_s P/|f_max|", "margin"}},
+              .rows = {}};
+  for (const auto& [probability, amplitude, margin] : quantiles)
+    table.rows.push_back({{probability, fmt::format("{:.0f} %", 100.0 * probability)},
+                          estimated(amplitude, significant(amplitude.value, digits)),
+                          estimated(margin, significant(margin.value, digits))});
+  return table;
 }
 
 Table table_of(const studies::SlipUncertainty& result) {
@@ -119,8 +95,7 @@ Table table_of(const studies::SlipUncertainty& result) {
                           word(worst.text + " ... " + best.text), from, to, worst, best});
     if (!sensitivity) continue;
     const auto& [first, total] = sensitivity->indices[i];
-    table.rows.back().push_back({to_json(first), with_interval(first, 3)});
-    table.rows.back().push_back({to_json(total), with_interval(total, 3)});
+    table.rows.back().insert(table.rows.back().end(), {estimated(first, 3), estimated(total, 3)});
   }
   return table;
 }
@@ -128,51 +103,42 @@ Table table_of(const studies::SlipUncertainty& result) {
 // Which tolerance to tighten or, where that does not help, which mean to move.
 std::string advice(Answer& answer, const studies::SlipUncertainty& result) {
   const std::string& decisive = result.tornado[result.decisive].key;
-  const std::string halved = with_interval(result.probability_with_half_spread, 5);
+  const Value halved = estimated(result.probability_with_half_spread, 5);
   const auto& best = result.best_change;
   answer.add_members({{"decisive", decisive},
                       {"tighten", result.tightening_helps ? Json(decisive) : Json()},
-                      {"probability_with_half_spread", to_json(result.probability_with_half_spread)},
+                      {"probability_with_half_spread", halved.json},
                       {"best_change", change_json(best)}});
   if (result.slips == 0) return "No sample slips.";
-  if (result.tightening_helps)
-    return fmt::format(
-        "The tolerance to tighten is that of {}: with half its spread the probability of slip is {}.",
-        decisive, halved);
-  std::string text =
-      fmt::format("No tighter tolerance helps: with half the spread of {} the probability of slip is {}.",
-                  decisive, halved);
-  if (best)
-    text += fmt::format(" Move the mean:\n{} times {} gives the case the margin {:.4g}.", best->key,
-                        best->factor, best->margin);
-  return text;
+  const std::string text =
+      fmt::format("{}: with half the spread of {} the probability of slip is {}.",
+                  result.tightening_helps ? "A tighter tolerance helps" : "No tighter tolerance helps",
+                  decisive, halved.text);
+  if (result.tightening_helps || !best) return text;
+  return fmt::format("{} Move the mean:\n{} times {} gives the case the margin {:.4g}.", text, best->key,
+                     best->factor, best->margin);
 }
 
 Answer answer_of(const data::Case& problem, const UncertaintyOptions& options,
                  const studies::SlipUncertainty& result) {
   Answer answer;
   add_samples(answer, problem, options, result);
+  const double margin = result.nominal_margin;
   answer.add_row({"margin of the case",
                   "margin_of_case",
-                  {result.nominal_margin, significant(result.nominal_margin, digits) +
-                                              (result.nominal_margin < 1.0 ? ": slips" : ": sticks")}});
-  add_quantiles(answer, result.quantiles);
+                  {margin, significant(margin, digits) + (margin < 1.0 ? ": slips" : ": sticks")}});
+  answer.add_line();
+  answer.add_table("quantiles", table_of(result.quantiles));
   answer.add_line();
   answer.add_table("keys", table_of(result));
   if (result.sensitivity) answer.add_members({{"index_rows_dropped", result.sensitivity->dropped}});
   answer.add_line("\n" + advice(answer, result));
-  answer.text +=
-      fmt::format("Numbers are those of {} modes unless said, intervals those of 95 % confidence. ",
-                  problem.numerics.modes());
-  answer.add_line(result.sensitivity ? "The indices are shares in the variance of log(margin)."
-                                     : "There are no indices: keys are correlated, or more than 20.");
+  const char* indices = result.sensitivity ? "The indices are shares in the variance of log(margin)."
+                                           : "There are no indices: keys are correlated, or more than 20.";
+  answer.add_line(
+      fmt::format("Numbers are those of {} modes unless said, intervals those of 95 % confidence. {}",
+                  problem.numerics.modes(), indices));
   return answer;
-}
-
-std::string drawing(const std::vector<double>& margins, const report::Look& look) {
-  report::CsvTable table("Margins of the samples", {{"margin", "1"}});
-  for (const double margin : margins) table.add_numbers({margin});
-  return report::drawing_of("uncertainty", look, {{"uncertainty.csv", table.text()}});
 }
 
 Answer slip_probability(const UncertaintyOptions& given, Outputs& outputs) {
@@ -181,9 +147,7 @@ Answer slip_probability(const UncertaintyOptions& given, Outputs& outputs) {
   const auto file = data::find_case(options.problem.name);
   data::Case problem = data::read_case(file, overrides);
   data::require_rigid(problem.contact, "the probability of slip, whose tip is held; respond takes it");
-  std::vector<std::string> fixed;
-  for (const auto& replacement : overrides) fixed.push_back(replacement.key);
-  const data::Uncertainty uncertainty = studies::without(data::read_uncertainty(file), fixed);
+  const data::Uncertainty uncertainty = studies::without(data::read_uncertainty(file), overrides);
   if (options.band) {
     const auto band = parse_range("--band", "excitation.frequency_hz", *options.band, true);
     options.sampling.band = analytic::FrequencyBand{band.from, band.to};
@@ -198,7 +162,7 @@ Answer slip_probability(const UncertaintyOptions& given, Outputs& outputs) {
       studies::slip_uncertainty(problem, uncertainty, options.sampling, std::ref(outputs.progress()));
   Answer answer = answer_of(problem, options, result);
   answer.warnings = warnings_of(problem, inquiry);
-  outputs.draw(problem.name, [&](const report::Look& look) { return drawing(result.margins, look); });
+  outputs.draw(problem.name, [&](const report::Look& look) { return report::draw(result, look); });
   return answer;
 }
 

@@ -148,6 +148,12 @@ std::string draw(const data::Case& problem, const studies::CriticalAmplitudeCurv
                      {"criterion-values.csv", values.text()}});
 }
 
+std::string draw(const studies::SlipUncertainty& result, const Look& look) {
+  CsvTable table("Margins of the samples", {{"margin", "1"}});
+  for (const double margin : result.margins) table.add_numbers({margin});
+  return drawing_of("uncertainty", look, {{"uncertainty.csv", table.text()}});
+}
+
 std::string draw(const comparison::Comparison& comparison, const Look& look) {
   CsvTable labels("Labels of the axes: the abscissa, then one for each quantity", {{"label", "-"}});
   labels.add_row(

@@ -10,6 +10,7 @@
 #include "stickslip/data/problem.hpp"
 #include "studies/analyses/criterion_answer.hpp"
 #include "studies/analyses/criterion_map.hpp"
+#include "studies/analyses/slip_probability.hpp"
 
 namespace stickslip::report {
 
@@ -29,6 +30,9 @@ namespace stickslip::report {
 /// The critical amplitude over the frequency, drawn by gnuplot (figures/criterion.gp), as draw() of a map.
 [[nodiscard]] std::string draw(const data::Case& problem, const studies::CriticalAmplitudeCurve& curve,
                                const Look& look);
+
+/// The histogram of the margins of the samples, drawn by gnuplot (figures/uncertainty.gp), as draw() of a map.
+[[nodiscard]] std::string draw(const studies::SlipUncertainty& result, const Look& look);
 
 /// A comparison drawn by gnuplot (figures/comparison.gp), as the bytes of a file: for each quantity with
 /// points the reference with its band and theirs, and below them the difference with what is allowed.

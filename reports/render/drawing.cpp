@@ -11,6 +11,7 @@
 #include "render/output_folder.hpp"
 #include "render/report.hpp"
 #include "stickslip/data/atomic_file.hpp"
+#include "stickslip/data/input_error.hpp"
 #include "stickslip/data/input_text.hpp"
 
 namespace stickslip::report {
@@ -52,6 +53,13 @@ std::string quoted(const std::string& text) {
 }
 
 }  // namespace
+
+std::string figure_format(const std::string& figure) {
+  const std::string extension = std::filesystem::path(figure).extension().string();
+  if (extension == ".pdf" || extension == ".png" || extension == ".svg") return extension.substr(1);
+  throw data::FieldError("--figure", fmt::format("'{}'", data::printable(figure)),
+                         "a file whose name ends in .pdf, .png or .svg");
+}
 
 CsvTable values_table(const std::vector<FigureData::Value>& values) {
   CsvTable table("Single values of the figure", {{"name", "-"}, {"value", "see last column"}, {"unit", "-"}});

@@ -37,6 +37,9 @@ struct Look {
   std::optional<std::pair<double, double>> size_cm{};  ///< width and height
 };
 
+/// "pdf", "png" or "svg", by the name of the file of --figure. Throws data::InputError for another one.
+[[nodiscard]] std::string figure_format(const std::string& figure);
+
 /// The values of a figure as a table with the columns name, value and unit.
 [[nodiscard]] CsvTable values_table(const std::vector<FigureData::Value>& values);
 

@@ -307,11 +307,11 @@ data::Case case_at(const data::Case& problem, const std::vector<data::UncertainK
   return with_values(problem, numbers);
 }
 
-data::Uncertainty without(const data::Uncertainty& uncertainty, const std::vector<std::string>& keys) {
+data::Uncertainty without(const data::Uncertainty& uncertainty, const std::vector<data::Override>& given) {
   std::vector<std::size_t> kept;
   data::Uncertainty result;
   for (std::size_t i = 0; i < uncertainty.keys.size(); ++i) {
-    if (std::ranges::find(keys, uncertainty.keys[i].key) != keys.end()) continue;
+    if (std::ranges::find(given, uncertainty.keys[i].key, &data::Override::key) != given.end()) continue;
     kept.push_back(i);
     result.keys.push_back(uncertainty.keys[i]);
   }

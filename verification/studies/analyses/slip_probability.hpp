@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "stickslip/analytic/band_maximum.hpp"
+#include "stickslip/data/case_file.hpp"
 #include "stickslip/data/problem.hpp"
 #include "studies/analyses/criterion_answer.hpp"
 #include "studies/analyses/sampling.hpp"
@@ -95,8 +96,8 @@ constexpr std::size_t most_samples_of_all_modes = 1000;
 [[nodiscard]] data::Case case_at(const data::Case& problem, const std::vector<data::UncertainKey>& keys,
                                  std::span<const double> values);
 
-/// What is uncertain without these keys, which are given.
+/// What is uncertain without the keys that are given.
 [[nodiscard]] data::Uncertainty without(const data::Uncertainty& uncertainty,
-                                        const std::vector<std::string>& keys);
+                                        const std::vector<data::Override>& given);
 
 }  // namespace stickslip::studies

@@ -474,7 +474,7 @@ TEST(SlipProbability, OverABandIsThatOfItsWorstFrequency) {
 TEST(SlipProbability, LeavesOutKeysThatAreGiven) {
   auto uncertainty = independent({{"a", uniform(0, 1)}, {"b", uniform(0, 1)}, {"c", uniform(0, 1)}});
   uncertainty.correlation = {1.0, 0.1, 0.2, 0.1, 1.0, 0.3, 0.2, 0.3, 1.0};
-  const auto left = studies::without(uncertainty, {"b", "d"});
+  const auto left = studies::without(uncertainty, {{"b", "", ""}, {"d", "", ""}});
   ASSERT_EQ(left.keys.size(), 2u);
   EXPECT_EQ(left.keys[1].key, "c");
   EXPECT_EQ(left.correlation, (std::vector{1.0, 0.2, 0.2, 1.0}));
