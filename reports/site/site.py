@@ -55,13 +55,11 @@ def decided(good):
 def unlatexed(text):
     r"""The words of a LaTeX text.
 
-    >>> unlatexed(r"At $A_0 = 0.5\unit{mm}$ the \emph{tip} slips~($\fmax > \mu_s P$), 12\,\% (Fig.~\ref{fig:a})")
-    'At A_0 = 0.5 mm the tip slips (|f_max| > mu_s P), 12 % (another figure)'
+    >>> unlatexed(r"At $A_0 = 0.5\unit{mm}$ the \emph{tip} slips~($\fmax > \mu_s P$), 12\,\%")
+    'At A_0 = 0.5 mm the tip slips (|f_max| > mu_s P), 12 %'
     """
     for command, word in (("\\fmax", "|f_max|"), ("\\rhoinf", "rho_inf"), ("\\pm", " ± "), ("\\ldots{}", "…"), ("\\infty", "inf")):
         text = text.replace(command, word)
-    for kind, word in (("Tables?", "a table of the report"), ("Figs?\\.", "another figure"), ("Sections?", "the text")):
-        text = re.sub(kind + r"~\\ref{.*?}", word, text)
     text = re.sub(r"\\unit{(.*?)}", r" \1", text)
     text = re.sub(r"\\(?:emph|code|textbf|text|mathrm|ensuremath|href{.*?}){", "{", text)
     text = re.sub(r"\\(?:times|cdot)", " x ", text).replace("\\,", " ").replace("\\%", "%").replace("~", " ")
@@ -76,17 +74,50 @@ def lines_of(file):
 def site_of(**known):
     """A site of these values alone, for the examples."""
     return Site({"tests": []} | {key: value if key != "tests" else [{"claim": ""} | test for test in value]
-                                 for key, value in known.items()}, Path("nowhere"), None)
+                                 for key, value in known.items()}, "", None)
 
 
-def drawings_of(templates, known):
-    """Number, name, section, alternative text and caption of each drawing, in the order of the report."""
-    if not templates.is_dir():
-        return []
-    environment, drawings = environment_for(templates), []
+def numbered(text):
+    r"""The text of the report with the numbers of sections, figures and tables in place of references.
+
+    >>> numbered(r"\section{A}\label{sec:a} \ref{tab:c}, \ref{sec:b} \subsection{B}\label{sec:b} \begin{longtable}\label{tab:c}\end{longtable}")
+    '\\section{A}\\label{sec:a} 1, 1.1 \\subsection{B}\\label{sec:b} \\begin{longtable}\\label{tab:c}\\end{longtable}'
+    """
+    counts, numbers = dict.fromkeys(("section", "subsection", "figure", "table"), 0), {}
+    for kind, label in re.findall(r"\\(?:begin{(?:long)?)?(section|subsection|figure|table)\b(?!\*)|\\label{(.*?)}", text):
+        if kind:
+            counts |= {kind: counts[kind] + 1} | ({"subsection": 0} if kind == "section" else {})
+        section, subsection, figure, table = counts.values()
+        numbers[label] = {"fig": figure, "tab": table}.get(label[:3], f"{section}.{subsection}" if subsection else section)
+    return re.sub(r"\\ref{(.*?)}", lambda reference: str(numbers[reference[1]]), text)
+
+
+def text_of(templates, known):
+    """The sections of the report in LaTeX, and what stands before them."""
+    environment = environment_for(templates)
     environment.globals |= known
-    parts = re.findall(r"\\input{(.*?)}", (templates / "vv-report.tex").read_text())
-    text = "".join(environment.get_template(f"{part}.tex").render() for part in parts)
+    frame = environment.get_template("vv-report.tex").render()
+    return numbered("".join(environment.get_template(f"{part}.tex").render() for part in re.findall(r"\\input{(.*?)}", frame))), frame
+
+
+def tables_of(text, frame):
+    """The tables of the report in HTML, each below a heading with its number, by pandoc. Its drawings in cells are left out."""
+    tables = re.findall(r"\\begin{table}.*?\\end{table}|\\begin{longtable}.*?\\end{longtable}", text, re.DOTALL)
+    latex = "\n".join(re.findall(r"^\\newcommand{.*}$", frame, re.MULTILINE))  # the macros of one line
+    for number, table in enumerate(tables, 1):
+        table = re.sub(r"\\label{.*?}|@{}|\\cmidrule.*?}|\\begin{picture}.*?\\end{picture}%\s*|\\endfirsthead.*?\\endhead", "", table, flags=re.DOTALL)
+        table = re.sub(r"L(?={[\d.]+[cm]m})", "p", table).replace(r"p{.8\linewidth}", "l")
+        latex += f"\n\\section{{Table {number}}}\\label{{table-{number}}}\n{table}\n"
+    html = subprocess.run(["pandoc", "--from=latex", "--to=html5", "--shift-heading-level-by=1"], input=latex,
+                          capture_output=True, text=True, check=True).stdout
+    if html.count("<caption>") != len(tables):
+        raise RuntimeError(f"pandoc made {html.count('<caption>')} tables of {len(tables)}")
+    return html.replace('href="site/', 'href="')
+
+
+def drawings_of(text):
+    """Number, name, section, alternative text and caption of each drawing, in the order of the report."""
+    drawings = []
     number, section = 0, ""
     for label, figure in re.findall(r"\\label{(sec:.*?)}|\\begin{figure}(.*?)\\end{figure}", text, re.DOTALL):
         section = label or section
@@ -100,9 +131,9 @@ def drawings_of(templates, known):
 class Site:
     """The pages, each made from the values of the report."""
 
-    def __init__(self, known, templates, figures):
+    def __init__(self, known, text, figures):
         self.known, self.figures = known, figures
-        self.drawings = drawings_of(templates, known)
+        self.drawings = drawings_of(text)
         self.sources = {}  # pages of test sources by file
         self.tests_of_claim = {test["claim"]: test for test in known["tests"] if test["claim"]}
 
@@ -430,7 +461,8 @@ def index_of(pages):
 
 
 def write_site(known, templates, data, figures, output):
-    site = Site(known, templates, figures)
+    text, frame = text_of(templates, known)
+    site = Site(known, text, figures)
     pages = site.pages()
     environment = jinja2.Environment(loader=jinja2.FileSystemLoader(FOLDER), autoescape=True, undefined=jinja2.StrictUndefined,
                                      trim_blocks=True, lstrip_blocks=True)
@@ -439,6 +471,7 @@ def write_site(known, templates, data, figures, output):
                             "tested_commit": known["tested_commit"], "provenance": known["provenance"]}
     write = lambda name, template, **values: (output / name).write_text(environment.get_template(template).render(**values))
     write("index.html", "index.html", root="", page=site.argument(), title="Does the tip slip? From use to verdict")
+    write("tables.html", "base.html", root="", title="Tables of the report", content=tables_of(text, frame))
     for page in pages:
         write(f"{page.name}.html", "table.html", root="", page=page, title=page.title)
     for file, name in site.sources.items():
