@@ -139,6 +139,7 @@ DataSet all_modes_maxima() {
   data::Resource& resource = set.resource;
   set_key(resource, {exact_number("frequency", "Hz", "of the base")});
   add_values(resource, ValueClass::converged, {{"friction_force", "N", "|f|_max", Norm::relative, 1e-2}});
+  resource.diagnosis = in_case("force maximum", "paper", "frequency", "friction_force");
   const NamedBeam& paper = beams().front();
   resource.problem = problem_of(paper.problem, paper.name, "held",
                                 {{"/excitation/frequency_hz", in_column("frequency")}, {"/duration", "10"}});
@@ -159,6 +160,7 @@ DataSet all_modes_amplitudes() {
   data::Resource& resource = set.resource;
   set_key(resource, {beam_column(), exact_number("frequency", "Hz", "of the base")});
   add_values(resource, ValueClass::converged, {{"amplitude", "m", "A_c", Norm::relative, 1e-2}});
+  resource.diagnosis = for_each_beam("critical amplitude", "frequency", "amplitude");
   resource.foreign_keys = {beam_key()};
   resource.problem = problem_of(beams().front().problem, "paper", "held",
                                 {{"/beam", in_column("beam")},
