@@ -204,16 +204,20 @@ void require_problem(const JsonNode& node, const Resource& resource) {
   }
 }
 
+void add_numbers(std::map<std::string, double>& numbers, const std::string& prefix, const JsonNode& node) {
+  for (const auto& [key, member] : node.members()) {
+    if (member.value().is_number()) numbers[prefix + key] = member.value().get<double>();
+    if (member.value().is_object()) add_numbers(numbers, prefix + key + ".", member);
+  }
+}
+
 StatedProblem stated_problem(const JsonNode& node) {
   StatedProblem stated;
   for (const auto& [key, member] : node.members()) {
     if (member.value().is_string() && key == "beam") stated.beam = member.text();
     if (member.value().is_string() && key == "tip") stated.tip = member.text();
-    if (member.value().is_number()) stated.numbers[key] = member.value().get<double>();
-    if (!member.value().is_object()) continue;
-    for (const auto& [name, number] : member.members())
-      if (number.value().is_number()) stated.numbers[key + "." + name] = number.value().get<double>();
   }
+  add_numbers(stated.numbers, "", node);
   return stated;
 }
 

@@ -49,6 +49,7 @@ struct Diagnosis {
   std::string sentence{};  ///< such as "like 'dead-load' (...) to 0.3 %, while the reference is 41 % away"
   std::optional<Finding> finding{};  ///< empty if no diagnosis is possible; the sentence gives the reason
   double from_reference{};           ///< distance d of the user's values from the reference, relative
+  double distance{};                 ///< of them from what is named, relative
   double uncertainty{};              ///< u, relative
   double required_ratio{};           ///< R
   std::vector<Hypothesis> ranked{};  ///< all wrong models, the nearest first

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <initializer_list>
 #include <limits>
@@ -12,9 +11,12 @@
 #include <tuple>
 #include <utility>
 
+#include "comparison/diagnosis/mass_results.hpp"
 #include "comparison/diagnosis/patterns.hpp"
 #include "comparison/diagnosis/wrong_models.hpp"
+#include "comparison/diagnosis/wrong_numbers.hpp"
 #include "comparison/groups.hpp"
+#include "comparison/samples.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "studies/common/parallel.hpp"
@@ -108,7 +110,8 @@ class Search {
   // Whether each row of the data set is a case of its own, or a point of one motion.
   [[nodiscard]] bool groups_are_rows() const {
     return comparison_.kind == data::ComparisonKind::table &&
-           (rule_ != nullptr ? rule_->case_column.empty() : is_of_one_motion());
+           (rule_ != nullptr ? rule_->case_column.empty()
+                             : is_of_one_motion() || !numbers_of_mass("").empty());
   }
 
   [[nodiscard]] bool is_of_timoshenko_beams() const {
@@ -169,15 +172,21 @@ class Search {
   }
 
   [[nodiscard]] std::optional<MergedFinding> finding_of(const Question& question) const {
-    if (auto found = nearest_of(
-            {&Search::relations, &Search::other_beams, &Search::relations_in_sequence, &Search::other_columns,
-             &Search::all_zeros, &Search::data_sets_within_tolerance, &Search::other_places},
-            question))
-      return found;
+    auto relation =
+        nearest_of({&Search::mass_numbers, &Search::relations, &Search::relations_in_sequence,
+                    &Search::single_values, &Search::other_beams, &Search::other_columns, &Search::all_zeros,
+                    &Search::data_sets_within_tolerance, &Search::other_places},
+                   question);
+    // A factor that was fitted and leaves more than the tolerance may be the trace of a wrong number.
+    if (relation && !(relation->diagnosis.named.front() == "constant-factor" &&
+                      relation->diagnosis.distance > question.quantity.tolerance))
+      return relation;
     Diagnosis by_models = diagnose_by_models(question);
+    if (relation &&
+        !(by_models.finding == Finding::mistaken && by_models.distance < relation->diagnosis.distance))
+      return relation;
     if (by_models.finding != Finding::mistaken) {
-      if (auto found = nearest_of({&Search::other_data_sets, &Search::growing_errors, &Search::single_values},
-                                  question))
+      if (auto found = nearest_of({&Search::other_data_sets, &Search::growing_errors}, question))
         return found;
       // Events may be missing although the times agree.
       if (by_models.sentence.empty() || !differs(question.group)) return std::nullopt;
@@ -203,6 +212,7 @@ class Search {
     Diagnosis diagnosis{.sentence = found.sentence,
                         .finding = Finding::mistaken,
                         .from_reference = found.from_reference,
+                        .distance = found.distance,
                         .named = named_by(found, question)};
     if (found.distance > 1e-12) diagnosis.sentence += ", to " + percent(found.distance);
     if (diagnosis.named.size() > 1) diagnosis.sentence += fmt::format(": like '{}'", diagnosis.named.back());
@@ -234,14 +244,120 @@ class Search {
   [[nodiscard]] Candidates relations_in_sequence(const Question& question) const {
     if (!event_sequences_differ(question.quantity)) return {};
     Question in_sequence = question;
-    ComparedValues& values = in_sequence.values;
-    values.theirs = theirs_.column(question.quantity.name)->values;
-    values.reference = reference_.column(question.quantity.name).values;
-    const std::size_t count = std::min(values.theirs.size(), values.reference.size());
-    values.theirs.resize(count);
-    values.reference.resize(count);
-    values.abscissa = values.reference;
+    const auto [theirs, right] = rows_in_sequence(question);
+    in_sequence.values.theirs = theirs.times;
+    in_sequence.values.reference = in_sequence.values.abscissa = right.times;
     return relations(in_sequence);
+  }
+
+  // The events of the group in the user's table and in the data set, as many as both have.
+  [[nodiscard]] std::pair<MassRows, MassRows> rows_in_sequence(const Question& question) const {
+    std::vector<std::string> columns = data::group_columns(reference_.resource);
+    std::erase(columns, comparison_.abscissa);
+    std::pair<MassRows, MassRows> found;
+    const auto add = [](MassRows& to, const std::vector<data::Column>& table, std::size_t row) {
+      to.changes.push_back(data::find_column(table, "change")->text[row]);
+      to.times.push_back(data::find_column(table, "time")->values[row]);
+      if (const auto* position = data::find_column(table, "position"))
+        to.positions.push_back(position->values[row]);
+    };
+    for (const Group& group : groups_of(reference_, theirs_, columns))
+      if (group.label == question.group.group)
+        for (std::size_t i = 0; i < std::min(group.theirs.size(), group.reference.size()); ++i) {
+          add(found.first, theirs_.columns, group.theirs[i]);
+          add(found.second, reference_.columns, group.reference[i]);
+        }
+    return found;
+  }
+
+  // --- wrong numbers in the problem of a mass
+
+  [[nodiscard]] Candidates mass_numbers(const Question& question) const {
+    Numbers numbers = numbers_of_mass(question.group.group);
+    if (numbers.empty()) return {};
+    Candidates multiple = relations(question);
+    if (multiple.empty()) multiple = relations_in_sequence(question);
+    std::erase_if(multiple, [](const Hypothesis& one) { return one.name != "constant-factor"; });
+    if (!multiple.empty() && multiple[0].free == 0) return {};  // a factor that is usual needs no number
+    ComparedValues values = question.values;
+    values.theirs.clear(), values.reference.clear();
+    std::pair<MassRows, MassRows> events;
+    std::vector<std::size_t> rows;
+    if (comparison_.kind == data::ComparisonKind::events) {
+      events = rows_in_sequence(question);
+      values.theirs = measured(events.first, events);
+      values.reference = measured(events.second, events);
+      values.norm = data::Norm::scale;
+    } else {
+      const double always = std::numeric_limits<double>::infinity();
+      for (const auto& [value, row] : seen_of(question.group, question.quantity.name, always, nullptr)) {
+        values.theirs.push_back(value);
+        values.reference.push_back(reference_.column(question.quantity.name).values[row]);
+        rows.push_back(row);
+      }
+      for (const std::string& column : reference_.resource.primary_key)
+        numbers[column] = 1.0;  // times that of the row
+    }
+    const auto result_of = [&](const Numbers& changed) {
+      if (rows.empty()) {
+        const auto found = mass_rows(changed, events.first);
+        return found ? std::optional(measured(*found, events)) : std::nullopt;
+      }
+      std::vector<double> all;
+      for (const std::size_t row : rows) {
+        Numbers own = changed;
+        for (const std::string& column : reference_.resource.primary_key)
+          own[column] *= reference_.column(column).values[row];
+        const auto value = mass_value(own, question.quantity.name);
+        if (!value) return std::optional<std::vector<double>>();
+        all.push_back(*value);
+      }
+      return std::optional(all);
+    };
+    std::vector<double> factors{-1.0, 0.0, 0.1, 0.25, 0.98, 0.99, 1.01, 1.02, 4.0, 10.0};
+    for (int k = -18; k <= 18; ++k) factors.push_back(std::exp2(k / 18.0));
+    std::ranges::sort(factors);
+    std::vector<FreeNumber> free;
+    for (const auto& [key, value] : numbers)
+      if (value != 0.0)
+        free.push_back({factors,
+                        [&, key = key](double factor) {
+                          Numbers changed = numbers;
+                          changed[key] *= factor;
+                          return result_of(changed);
+                        },
+                        [this, key = key, value = value](double factor) {
+                          return "like " + wrong_value(key, value, factor);
+                        }});
+    auto found = wrong_number(values, 0.5 * question.quantity.tolerance, free);
+    if (found && !multiple.empty()) found->sentence = multiple[0].sentence + ", " + found->sentence;
+    return all_of(std::move(found));
+  }
+
+  // The times of changes and the positions, each over the root mean square of the data set.
+  static std::vector<double> measured(const MassRows& rows, const std::pair<MassRows, MassRows>& events) {
+    const auto& [theirs, right] = events;
+    std::vector<double> all;
+    for (const auto column : {&MassRows::times, &MassRows::positions}) {
+      const bool is_given = column == &MassRows::times && std::ranges::count(right.changes, "state") > 0;
+      const std::vector<double> scales = scales_of(data::Norm::scale, right.*column);
+      for (std::size_t i = 0; i < (theirs.*column).size() && !is_given && scales[i] > 0.0; ++i)
+        all.push_back((rows.*column)[i] / scales[i]);
+    }
+    return all;
+  }
+
+  // The numbers that state the problem of a mass; empty for a beam.
+  [[nodiscard]] Numbers numbers_of_mass(const std::string& group) const {
+    const data::Resource& resource = reference_.resource;
+    Numbers numbers;
+    if (!resource.stated.beam.empty() || resource.field("beam") != nullptr) return numbers;
+    const auto is = group.find(" = ");
+    const std::string prefix = is == std::string::npos ? "" : group.substr(is + 3) + ".";
+    for (const auto& [key, number] : resource.stated.numbers)
+      if (key.starts_with(prefix)) numbers[key.substr(prefix.size())] = number;
+    if (numbers.contains("friction_force") && !prefix.empty()) numbers["mu_s/mu_k"] = 1.0;
+    return numbers;
   }
 
   [[nodiscard]] bool is_mode_shape() const {
@@ -579,7 +695,7 @@ class Search {
   };
 
   [[nodiscard]] SeenRows seen_of(const Series& group, const std::string& field, double latest,
-                                 const data::Beam& beam) const {
+                                 const data::Beam* beam) const {
     SeenRows seen;
     const double end = std::min(latest, comparison_.horizon);
     const data::Column* time = theirs_.column(name_of_time());
@@ -587,7 +703,7 @@ class Search {
     const std::vector<double>& values = theirs_.column(field)->values;
     for (std::size_t row = 0; row < theirs_.rows(); ++row) {
       if (time != nullptr && time->values[row] > end) continue;
-      if (has_points && !data::is_same_key(theirs_.column("x")->values[row], 0.5 * beam.length())) continue;
+      if (has_points && !data::is_same_key(theirs_.column("x")->values[row], 0.5 * beam->length())) continue;
       const auto found = row_like(reference_, reference_.resource.primary_key, theirs_.columns, row);
       if (!found || !std::isfinite(reference_.column(field).values[*found])) continue;
       if (group.group.empty() || label_of(*found) == group.group) seen.emplace_back(values[row], *found);
@@ -600,18 +716,17 @@ class Search {
     return comparison_.abscissa_unit == "s" ? comparison_.abscissa : "time";
   }
 
-  // A user's values at the times of the data set, along straight lines.
+  // A user's values at the times of the data set.
   [[nodiscard]] SeenRows interpolated(const std::string& field, double end) const {
-    const std::vector<double>&times = theirs_.column(name_of_time())->values,
-          &values = theirs_.column(field)->values;
-    if (!std::ranges::is_sorted(times)) return {};
+    const Samples samples{.abscissa = theirs_.column(name_of_time())->values,
+                          .values = theirs_.column(field)->values,
+                          .half_width = std::vector<double>(theirs_.rows())};
     SeenRows seen;
+    if (!std::ranges::is_sorted(samples.abscissa)) return seen;
     for (std::size_t row = 0; row < reference_.rows(); ++row) {
       const double t = reference_.column(name_of_time()).values[row];
-      const auto next = static_cast<std::size_t>(std::ranges::lower_bound(times, t) - times.begin());
-      if (t > end || next == 0 || next == times.size()) continue;
-      const double share = (t - times[next - 1]) / (times[next] - times[next - 1]);
-      seen.emplace_back((1.0 - share) * values[next - 1] + share * values[next], row);
+      if (t < samples.abscissa.front() || t > std::min(end, samples.abscissa.back())) continue;
+      if (const auto value = comparison::interpolated(samples, t)) seen.emplace_back(value->value, row);
     }
     return seen;
   }
@@ -644,7 +759,7 @@ class Search {
     const bool is_event = quantity == Quantity::contact_event;
     const bool is_slow = quantity == Quantity::force_maximum || quantity == Quantity::critical_amplitude;
     const auto seen = spread(
-        is_event ? seen_events() : seen_of(group, compared.name, end_of(quantity, problem), problem.beam),
+        is_event ? seen_events() : seen_of(group, compared.name, end_of(quantity, problem), &problem.beam),
         is_slow                ? 8
         : is_of_steady_state() ? 30
                                : 400);
@@ -676,118 +791,102 @@ class Search {
     return result;
   }
 
-  // What is to be explained, and the right result by this program.
-  struct Difference {
-    const data::Case& problem;
-    Quantity quantity;
-    ComparedValues values;
-    const std::vector<double>& right;
-    double uncertainty;
-
-    // The result of a model, which `sentence` describes; at an infinite distance if there is none.
-    [[nodiscard]] Hypothesis hypothesis(const std::optional<std::vector<double>>& wrong,
-                                        std::string sentence) const {
-      Hypothesis found{.name = "wrong-number", .free = 1, .sentence = std::move(sentence)};
-      found.distance = std::numeric_limits<double>::infinity();
-      if (!wrong) return found;
-      found.values = *wrong;
-      ModelResults results{
-          .norm = values.norm, .reference = right, .reference_uncertainty = {}, .wrong_models = {found}};
-      found = relative_to_data(std::move(results), values.reference).wrong_models.front();
-      found.distance = distance(values.norm, values.reference, values.theirs, found.values);
-      return found;
-    }
-    [[nodiscard]] double from_reference() const {
-      return distance(values.norm, values.reference, values.theirs, values.reference);
-    }
-  };
-
-  // The nearest one along an ascending list of numbers and, where that is much nearer than the reference, between its
-  // neighbours by the golden section, until it is near enough.
-  template <class Make>
-  static Hypothesis fitted(const std::vector<double>& numbers, const Difference& difference,
-                           const Make& make) {
-    constexpr double worth_fitting = 0.6, enough = 0.1, golden = 0.6180339887498949;
-    constexpr int sections = 16;
-    Hypothesis best = make(numbers.front());
-    const auto distance_at = [&](double number) {
-      const Hypothesis here = make(number);
-      if (here.distance < best.distance) best = here;
-      return here.distance;
-    };
-    std::size_t nearest = 0;
-    for (std::size_t k = 1; k < numbers.size(); ++k)
-      if (const double before = best.distance; distance_at(numbers[k]) < before) nearest = k;
-    if (!(best.distance < worth_fitting * difference.from_reference())) return best;
-    double from = numbers[nearest == 0 ? 0 : nearest - 1],
-           to = numbers[std::min(nearest + 1, numbers.size() - 1)];
-    double low = to - golden * (to - from), high = from + golden * (to - from);
-    double at_low = distance_at(low), at_high = distance_at(high);
-    for (int n = 1; n < sections && best.distance > enough * difference.uncertainty; ++n) {
-      if (at_low < at_high) {
-        to = std::exchange(high, low), at_high = at_low;
-        low = to - golden * (to - from), at_low = distance_at(low);
-      } else {
-        from = std::exchange(low, high), at_low = at_high;
-        high = from + golden * (to - from), at_high = distance_at(high);
-      }
-    }
-    return best;
-  }
-
-  // The numbers of the problem, one of which explains the values once it is multiplied: the nearest, and those that
-  // cannot be told from it. A right one is as near as the program and the user state.
-  static std::optional<Hypothesis> wrong_number(const Difference& difference) {
+  // The number of a case that is wrong, or the width of a smooth law of friction. A beam with E I or rho A is the same,
+  // whichever of the two is wrong.
+  [[nodiscard]] std::optional<Hypothesis> number_of(const Question& question, Quantity quantity,
+                                                    const Observed& seen, const std::vector<double>& right,
+                                                    double uncertainty) const {
     static const std::vector<double> factors{0.5,  0.63, 0.8,  0.9, 0.96, 0.98, 0.99,
                                              1.01, 1.02, 1.04, 1.1, 1.25, 1.6,  2.0};
-    constexpr std::array<std::string_view, 10> keys{"friction.static_coefficient",
-                                                    "friction.kinetic_coefficient",
-                                                    "friction.decay",
-                                                    "damping.kelvin_voigt",
-                                                    "excitation.amplitude",
-                                                    "excitation.frequency_hz",
-                                                    "beam.youngs_modulus",
-                                                    "beam.density",
-                                                    "beam.axial_force",
-                                                    "beam.length"};
-    const auto& [problem, quantity, values, right, uncertainty] = difference;
-    std::vector<Hypothesis> found(keys.size());
-    studies::in_parallel(keys.size(), [&](std::size_t i) {
-      const std::string_view key = keys.at(i);
-      const double value = data::value_of(problem, key);
-      found[i].distance = std::numeric_limits<double>::infinity();
-      if (value == 0.0) return;
-      found[i] = fitted(factors, difference, [&](double factor) {
-        return difference.hypothesis(
-            result_with(problem, key, factor, quantity, values.abscissa),
-            fmt::format("like {} = {:.4g} instead of {:.6g}", key, factor * value, value));
-      });
-    });
-    std::erase_if(found, [&](const Hypothesis& one) {
-      return !(one.distance <= 2.0 * uncertainty) || !accepted(values, one, static_cast<int>(keys.size()));
-    });
-    std::ranges::sort(found, {}, &Hypothesis::distance);
-    if (found.empty()) return std::nullopt;
-    Hypothesis nearest = found.front();
-    for (const Hypothesis& other : found)
-      if (&other != &found.front() &&
-          distance(values.norm, values.reference, other.values, nearest.values) <= 2.0 * uncertainty)
-        nearest.sentence += ", or" + other.sentence.substr(4);
-    return nearest;
+    static const std::vector<double> decades{0.1, 0.2, 0.5, 0.8, 0.9, 0.98, 1.02, 1.1, 1.25, 2.0, 5.0, 10.0};
+    static const std::vector<double> widths{1e-3, 3e-3, 0.01, 0.03, 0.1, 0.3};
+    const data::Case& problem = *question.problem;
+    ComparedValues values = question.values;
+    values.norm = measure_of(quantity), values.theirs = seen.values, values.reference = seen.truth;
+    const auto relative = [&](std::optional<std::vector<double>> result) {
+      if (result) *result = comparison::relative_to_data(values.norm, *result, right, seen.truth);
+      return result;
+    };
+    std::vector<FreeNumber> numbers;
+    const auto add = [&](const std::vector<double>& tried, const std::vector<std::string>& keys) {
+      if (value_of(problem, keys[0]) == 0.0) return;
+      numbers.push_back({tried,
+                         [&, keys](double factor) {
+                           return relative(result_with(problem, keys[0], factor, quantity, seen));
+                         },
+                         [&, keys](double factor) {
+                           std::string text;
+                           for (const std::string& key : keys)
+                             text += (text.empty() ? "like " : ", or ") +
+                                     wrong_value(key, value_of(problem, key), factor);
+                           return text;
+                         }});
+    };
+    add(factors, {"excitation.amplitude"});
+    add(factors, {"beam.youngs_modulus", "beam.second_moment_of_area"});
+    add(factors, {"beam.density", "beam.area"});
+    for (const char* key : {"beam.axial_force", "beam.length"}) add(factors, {key});
+    if (!has_column_of("excitation.frequency_hz")) add(factors, {"excitation.frequency_hz"});
+    if (seen.cases.empty()) {
+      for (const char* key : {"friction.static_coefficient", "friction.kinetic_coefficient"})
+        add(factors, {key});
+      for (const char* key : {"friction.decay", "damping.kelvin_voigt"}) add(decades, {key});
+    }
+    if (quantity > Quantity::contact_event)
+      numbers.push_back({widths,
+                         [&](double width) {
+                           return relative(result_smoothed_over(problem, width, quantity, seen.abscissa));
+                         },
+                         [](double width) {
+                           return fmt::format("like a law of friction that is smoothed over {:.2g} mm/s",
+                                              1e3 * width);
+                         }});
+    return wrong_number(values, uncertainty, numbers);
   }
 
-  // The width of a smooth law of friction that explains the values.
-  static std::optional<Hypothesis> smooth_friction(const Difference& difference) {
-    static const std::vector<double> widths{1e-3, 3e-3, 0.01, 0.03, 0.1, 0.3};
-    if (difference.quantity <= Quantity::contact_event) return std::nullopt;
-    const auto& values = difference.values;
-    const Hypothesis found = fitted(widths, difference, [&](double width) {
-      return difference.hypothesis(
-          result_smoothed_over(difference.problem, width, difference.quantity, values.abscissa),
-          fmt::format("like a law of friction that is smoothed over {:.2g} mm/s", 1e3 * width));
+  // Each wrong model takes longer in all cases than the search for a number. One that leaves at most a hundredth needs
+  // no model.
+  [[nodiscard]] std::optional<Hypothesis> number_of_cases(const Question& question, Quantity quantity,
+                                                          const Observed& seen) const {
+    std::vector<double> right;
+    for (std::size_t i = 0; i < seen.cases.size(); ++i)
+      right.push_back(reference_result(seen.cases[i], quantity, {seen.abscissa[i]}).front());
+    if (right.empty()) return std::nullopt;
+    constexpr double least_ratio = 100.0;
+    const data::Norm norm = measure_of(quantity);
+    const double uncertainty =
+        distance(norm, seen.truth, right, seen.truth) +
+        distance(norm, seen.truth, seen.uncertainty, std::vector<double>(right.size()));
+    auto number = number_of(question, quantity, seen, right, uncertainty);
+    const double whole = distance(norm, seen.truth, seen.values, seen.truth);
+    return number && least_ratio * number->distance <= whole ? number : std::nullopt;
+  }
+
+  // Whether each row has its own value of this number.
+  [[nodiscard]] bool has_column_of(const std::string& key) const {
+    return std::ranges::any_of(reference_.resource.primary_key, [&](const std::string& column) {
+      return key == column || key.find("." + column) != std::string::npos;
     });
-    if (!(found.distance <= 2.0 * difference.uncertainty)) return std::nullopt;
-    return accepted(values, found, static_cast<int>(widths.size()));
+  }
+
+  [[nodiscard]] std::string wrong_value(const std::string& key, double value, double factor) const {
+    return has_column_of(key) ? fmt::format("{} times {:.4g}", key, factor)
+                              : fmt::format("{} = {:.4g} instead of {:.6g}", key, factor * value, value);
+  }
+
+  // The right result with this number multiplied; of several cases in each of them.
+  static std::optional<std::vector<double>> result_with(const data::Case& problem, std::string_view key,
+                                                        double factor, Quantity quantity,
+                                                        const Observed& seen) {
+    if (seen.cases.empty()) return comparison::result_with(problem, key, factor, quantity, seen.abscissa);
+    std::vector<double> all;
+    for (std::size_t i = 0; i < seen.cases.size(); ++i) {
+      const double hz = seen.abscissa[i] * (key == "excitation.frequency_hz" ? factor : 1.0);
+      const auto one = comparison::result_with(seen.cases[i], key, factor, quantity, {hz});
+      if (!one) return std::nullopt;
+      all.push_back(one->front());
+    }
+    return all;
   }
 
   static std::string up_to(double time) {
@@ -805,6 +904,8 @@ class Search {
       const Observed seen = observed(compared, *quantity, group, *problem);
       if (seen.truth.empty()) return {};
       if (is_of_all_modes(seen, *quantity)) return all_modes(question);
+      if (const auto number = number_of_cases(question, *quantity, seen))
+        return diagnosis_of(question, *number);
       const ModelResults computed = seen.cases.empty()
                                         ? model_results(*problem, *quantity, seen.abscissa, progress_)
                                         : model_results(seen.cases, *quantity, seen.abscissa, progress_);
@@ -812,21 +913,12 @@ class Search {
           comparison::diagnose(relative_to_data(computed, seen.truth), seen.values, seen.uncertainty);
       const double nearest =
           found.ranked.empty() ? std::numeric_limits<double>::infinity() : found.ranked.front().distance;
+      found.distance = nearest;
       const bool is_rough = found.finding == Finding::mistaken && nearest > rough;
-      if ((found.finding == Finding::unexplained || is_rough) && seen.cases.empty()) {
-        Difference difference{.problem = *problem,
-                              .quantity = *quantity,
-                              .values = {},
-                              .right = computed.reference,
-                              .uncertainty = found.uncertainty};
-        difference.values.norm = computed.norm;
-        difference.values.abscissa = seen.abscissa;
-        difference.values.theirs = seen.values;
-        difference.values.reference = seen.truth;
-        auto number = wrong_number(difference);
-        if (!number) number = smooth_friction(difference);
-        if (number && number->distance < nearest) return diagnosis_of(question, *number);
-      }
+      if (found.finding == Finding::unexplained || is_rough)
+        if (const auto number = number_of(question, *quantity, seen, computed.reference, found.uncertainty);
+            number && number->distance < nearest)
+          return diagnosis_of(question, *number);
       if (found.finding == Finding::correct)
         found.sentence =
             fmt::format("no diagnosis: the difference of {}{} is too small to be assigned to a mistake",

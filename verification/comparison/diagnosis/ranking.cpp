@@ -31,14 +31,11 @@ double root_mean_square(const Values& values) {
   return std::sqrt(sum / static_cast<double>(values.size()));
 }
 
-// (a - b)/s for each entry, s of distance().
 Values scaled_difference(data::Norm norm, const Values& reference, const Values& a, const Values& b) {
-  const double common = root_mean_square(reference);
+  const Values scales = scales_of(norm, reference);
   Values difference;
   for (std::size_t i = 0; i < a.size(); ++i)
-    difference.push_back(a[i] == b[i] ? 0.0
-                                      : (a[i] - b[i]) /
-                                            (norm == data::Norm::relative ? std::abs(reference[i]) : common));
+    difference.push_back(a[i] == b[i] ? 0.0 : (a[i] - b[i]) / scales[i]);
   return difference;
 }
 
@@ -90,6 +87,15 @@ std::string quoted(const std::vector<std::string>& names) {
 
 }  // namespace
 
+Values scales_of(data::Norm norm, const Values& reference) {
+  const double common = root_mean_square(reference);
+  Values scales(reference.size(), common);
+  if (norm == data::Norm::relative)
+    std::ranges::transform(reference, scales.begin(),
+                           [=](double value) { return value == 0.0 ? common : std::abs(value); });
+  return scales;
+}
+
 double distance(data::Norm norm, const Values& reference, const Values& a, const Values& b) {
   const double result = root_mean_square(scaled_difference(norm, reference, a, b));
   return std::isfinite(result) ? result : std::numeric_limits<double>::infinity();
@@ -124,12 +130,17 @@ std::optional<Hypothesis> accepted(const ComparedValues& values, Hypothesis hypo
   return hypothesis;
 }
 
+Values relative_to_data(data::Norm norm, Values values, const Values& right, const Values& data) {
+  for (std::size_t i = 0; i < data.size(); ++i)
+    values[i] =
+        norm == data::Norm::relative ? data[i] * (values[i] / right[i]) : data[i] + (values[i] - right[i]);
+  return values;
+}
+
 ModelResults relative_to_data(ModelResults results, const Values& data) {
   const Values right = std::exchange(results.reference, data);
   for (Hypothesis& one : results.wrong_models) {
-    for (std::size_t i = 0; i < data.size(); ++i)
-      one.values[i] = results.norm == data::Norm::relative ? data[i] * (one.values[i] / right[i])
-                                                           : data[i] + (one.values[i] - right[i]);
+    one.values = relative_to_data(results.norm, std::move(one.values), right, data);
     one.from_reference = distance(results.norm, data, one.values, data);
   }
   results.reference_uncertainty = distance(results.norm, data, right, data);

@@ -21,10 +21,11 @@ struct ComparedValues {
 };
 
 /// The distance of two results a and b: the root mean square of (a_i - b_i)/s_i. In a relative norm s_i is the
-/// reference value, so that all entries have the same weight; else s is the root mean square of the reference.
-/// Infinite if a result is not finite.
+/// reference value, so that all entries have the same weight; else, and where that is 0, s is the root mean square of the
+/// reference. Infinite if a result is not finite.
 [[nodiscard]] double distance(data::Norm norm, const std::vector<double>& reference,
                               const std::vector<double>& a, const std::vector<double>& b);
+[[nodiscard]] std::vector<double> scales_of(data::Norm norm, const std::vector<double>& reference);  ///< s
 
 /// A hypothesis at the distance m from the user's values, which are d from the reference, is accepted if m <= d/R.
 ///
@@ -63,6 +64,9 @@ struct ModelResults {
 /// that the program makes in R and in W in the same proportion, or by the same amount, cancels. The program's own
 /// error, distance(R, data), is taken as the uncertainty of what remains: the error in W is assumed to be at most twice
 /// that in R. So R itself need not be accurate, and is no truth.
+[[nodiscard]] std::vector<double> relative_to_data(data::Norm norm, std::vector<double> wrong,
+                                                   const std::vector<double>& right,
+                                                   const std::vector<double>& data);
 [[nodiscard]] ModelResults relative_to_data(ModelResults results, const std::vector<double>& data);
 
 /// The wrong model that is nearest to the user's values, which have these bounds of their errors.

@@ -49,14 +49,6 @@ bool is_of_steady_state(Quantity quantity) { return quantity >= steady_amplitude
 
 bool is_of_stick_slip(Quantity quantity) { return quantity >= contact_event; }
 
-data::Norm norm_of(Quantity quantity) {
-  const bool is_relative = quantity == stick_frequency || quantity == slip_frequency ||
-                           quantity == force_maximum || quantity == critical_amplitude ||
-                           quantity == steady_amplitude || quantity == steady_force_amplitude ||
-                           quantity == heat || quantity == contact_event;
-  return is_relative ? data::Norm::relative : data::Norm::scale;
-}
-
 bool counts(Quantity quantity) {
   return quantity == stick_frequency || quantity == slip_frequency || quantity == participation ||
          quantity == contact_event;
@@ -473,6 +465,14 @@ std::optional<double> distance_of(const ModelResults& model_results, const std::
 
 }  // namespace
 
+data::Norm measure_of(Quantity quantity) {
+  const bool is_relative = quantity == stick_frequency || quantity == slip_frequency ||
+                           quantity == force_maximum || quantity == critical_amplitude ||
+                           quantity == steady_amplitude || quantity == steady_force_amplitude ||
+                           quantity == heat || quantity == contact_event;
+  return is_relative ? data::Norm::relative : data::Norm::scale;
+}
+
 std::string_view name_of(Quantity quantity) { return quantity_names.at(static_cast<std::size_t>(quantity)); }
 
 const std::vector<WrongModel>& wrong_models() {
@@ -524,7 +524,7 @@ std::optional<std::vector<double>> result_smoothed_over(const data::Case& proble
 
 ModelResults model_results(const data::Case& problem, Quantity quantity, const std::vector<double>& abscissa,
                            const std::function<void(double)>& progress) {
-  ModelResults result{.norm = norm_of(quantity),
+  ModelResults result{.norm = measure_of(quantity),
                       .reference = reference_result(problem, quantity, abscissa),
                       .reference_uncertainty = closed_form_uncertainty,
                       .wrong_models = {}};
@@ -554,7 +554,7 @@ ModelResults model_results(const std::vector<data::Case>& cases, Quantity quanti
     }
     return all;
   };
-  ModelResults result{.norm = norm_of(quantity),
+  ModelResults result{.norm = measure_of(quantity),
                       .reference = {},
                       .reference_uncertainty = closed_form_uncertainty,
                       .wrong_models = {}};

@@ -67,6 +67,9 @@ inline constexpr std::array all_quantities{
 /// The name of a quantity, such as "stick frequency" or "force maximum".
 [[nodiscard]] std::string_view name_of(Quantity quantity);
 
+/// The measure of the distances of its results.
+[[nodiscard]] data::Norm measure_of(Quantity quantity);
+
 /// A wrong model.
 struct WrongModel {
   std::string name;               ///< such as "zero-initial-velocity"

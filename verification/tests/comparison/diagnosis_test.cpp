@@ -299,6 +299,27 @@ const std::vector<Mistake>& known_mistakes() {
       {"damped-stick-history", mid, wrong_at({100}), "only 1 of 200 values differs, at time = 0.505 s\n"},
       {"damped-stick-history", mid, wrong_at({199, 7, 30}),
        "only 3 of 200 values differ, the first at time = 0.04 s\n"},
+      // numbers in the problem of a mass: times go with 1/omega (with a stiffness of 4.84 it would stop an event later), a block
+      // slides by v t + a t^2/2
+      {"single-mass-events", "time",
+       [](Values& t) { std::for_each(t.begin() + 1, t.end(), [](double& one) { one /= 1.1; }); },
+       "times 0.90909, like mass = 0.8264 instead of 1"},
+      {"published-problems", "position",
+       [](Values& x) {
+         for (const auto& [row, t] : {std::pair{6u, 1.0}, {7u, 2.0}, {8u, 5.0}})
+           x[row] = 0.9 * x[row] + 0.1 * (0.25 + t);
+       },
+       "gravity = 8.829 instead of 9.81"},
+      {"friction-powers", "power", times(0.981), "times 0.981, like normal_force = 9.81 instead of 10"},
+      {"non-stop-limits", "force_ratio",
+       [](Values& limits) {
+         const Values ratios = File("non-stop-limits", "force_ratio")["frequency_ratio"];
+         for (std::size_t i = 0; i < limits.size(); ++i) {
+           const double r = 1.02 * ratios[i], tangent = std::tan(quarter_turn / r);
+           limits[i] = std::abs(1.0 - r * r) * std::sqrt(1.0 / std::pow(r, 4) + tangent * tangent / (r * r));
+         }
+       },
+       "like frequency_ratio times 1.02"},
       // a wrong model of the other column of a history
       {"stick-history", "friction_force",
        [](Values& f) {
@@ -321,6 +342,20 @@ TEST(DiagnosisOfFile, NamesEachKnownMistake) {
       EXPECT_TRUE(looks(file, told)) << set << ": " << told;
     // A factor of a frequency is no mistake of a force.
     EXPECT_FALSE(std::string(value) == "frequency" && contains(file.told(), "like '")) << told;
+  }
+}
+
+// All files with one wrong value say so before a model is run, of which the progress is told.
+TEST(DiagnosisOfFile, AsksNoModelAboutASingleValue) {
+  for (const auto& [set, value] :
+       {std::pair{"friction-maxima", "friction_force"}, {"undamped-history-25", "tip_displacement"}}) {
+    File file(set, value);
+    file.values()[60] += 0.02 * std::ranges::max(file.values());
+    bool is_run = false;
+    const auto diagnoses = comparison::diagnose(file.compared(), published_package(), file.reference(),
+                                                file.table, [&](double) { is_run = true; });
+    EXPECT_TRUE(contains(diagnoses.at(0).sentence, "only 1 of ")) << diagnoses[0].sentence;
+    EXPECT_FALSE(is_run) << set;
   }
 }
 
@@ -699,6 +734,37 @@ TEST(DiagnosisOfModels, IsAllModesWhereTheDataSetHasTen) {
             analytic::SteadyPart::exact)
             .force_max.midpoint();
   EXPECT_EQ(file.told(), "like all modes: the data set has 10, and friction-maxima-all-modes has all\n");
+}
+
+// E I and rho A of the largest forces; a beam with either factor of them is the same.
+TEST(DiagnosisOfModels, IsTheNumberThatIsWrongInTheLargestForces) {
+  for (const auto& [key, told] :
+       {std::pair{"beam.youngs_modulus",
+                  "beam.youngs_modulus = 2.14e+09 instead of 2e+09, or beam.second_moment_of_area"},
+        {"beam.area", "beam.density = 1070 instead of 1000, or beam.area = 0.0107"}}) {
+    const data::Case problem = data::load_case("paper");
+    const data::Case wrong = data::with_value(problem, key, 1.07 * data::value_of(problem, key));
+    File file("friction-maxima", "friction_force");
+    file.keep([](std::size_t row) { return row % 30 == 9; });
+    for (std::size_t i = 0; i < file.values().size(); ++i)
+      file.values()[i] =
+          analytic::evaluate_criterion(
+              wrong.beam, wrong.friction,
+              data::HarmonicExcitation({.frequency_hz = file["frequency"][i], .amplitude = 0.5e-3}), 10.0, 10)
+              .force_max.midpoint();
+    EXPECT_TRUE(looks(file, told));
+  }
+}
+
+// Every 3 ms, where straight lines leave 3 %.
+TEST(DiagnosisOfModels, IsTheNumberThatIsWrongBetweenTheTimesOfTheDataSet) {
+  const data::Case held = data::with_value(data::load_case("paper-figure9"), "beam.youngs_modulus", 2.06e9);
+  const analytic::StickResponse response(held.beam, held.excitation, 60, analytic::SteadyPart::exact);
+  File file("stick-history", "midspan_displacement");
+  file.keep([](std::size_t row) { return row % 3 == 0; });
+  for (std::size_t i = 0; i < file.values().size(); ++i)
+    file.values()[i] = response.absolute_displacement(0.5 * held.beam.length(), file["time"][i] += 0.4e-3);
+  EXPECT_TRUE(looks(file, "beam.youngs_modulus = 2.06e+09 instead of 2e+09"));
 }
 
 TEST(DiagnosisOfModels, IsTheMistakeInEachRowThatIsACase) {
