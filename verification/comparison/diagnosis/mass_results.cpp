@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "stickslip/analytic/event_driven.hpp"
 #include "studies/common/problem_parameter.hpp"
@@ -145,10 +144,7 @@ std::optional<MassRows> mass_rows(const Numbers& numbers, const MassRows& seen) 
 std::optional<double> mass_value(const Numbers& numbers, const std::string& name) {
   if (name == "power") return mean_power(numbers);
   if (name == "stops") return stops(numbers);
-  if (name != "force_ratio") return std::nullopt;
-  // Den Hartog's limit.
-  const double r = numbers.at("frequency_ratio");
-  return std::abs(1.0 - r * r) * std::hypot(1.0 / (r * r), std::tan(std::numbers::pi / (2.0 * r)) / r);
+  return std::nullopt;
 }
 
 }  // namespace stickslip::comparison

@@ -311,15 +311,6 @@ const std::vector<Mistake>& known_mistakes() {
        },
        "gravity = 8.829 instead of 9.81"},
       {"friction-powers", "power", times(0.981), "times 0.981, like normal_force = 9.81 instead of 10"},
-      {"non-stop-limits", "force_ratio",
-       [](Values& limits) {
-         const Values ratios = File("non-stop-limits", "force_ratio")["frequency_ratio"];
-         for (std::size_t i = 0; i < limits.size(); ++i) {
-           const double r = 1.02 * ratios[i], tangent = std::tan(quarter_turn / r);
-           limits[i] = std::abs(1.0 - r * r) * std::sqrt(1.0 / std::pow(r, 4) + tangent * tangent / (r * r));
-         }
-       },
-       "like frequency_ratio times 1.02"},
       // a wrong model of the other column of a history
       {"stick-history", "friction_force",
        [](Values& f) {
