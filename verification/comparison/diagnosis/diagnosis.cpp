@@ -11,7 +11,6 @@
 #include <tuple>
 #include <utility>
 
-#include "comparison/diagnosis/mass_results.hpp"
 #include "comparison/diagnosis/patterns.hpp"
 #include "comparison/diagnosis/wrong_models.hpp"
 #include "comparison/diagnosis/wrong_numbers.hpp"

@@ -12,7 +12,7 @@ namespace stickslip::comparison {
 
 /// A diagnosis for each quantity and group that differs. These are asked in turn until a hypothesis is accepted
 /// (ranking.hpp), and of several the nearest is named:
-/// - one number in the problem of a mass (mass_results.hpp, wrong_numbers.hpp), unless a usual factor says it all;
+/// - one number in the problem of a mass (wrong_numbers.hpp), unless a usual factor says it all;
 /// - a relation of the numbers alone (patterns.hpp), single values, another column, zeros; a factor that was fitted and leaves
 ///   more than the tolerance only if no model is nearer;
 /// - frequencies of a beam with other parts of Timoshenko's theory;

@@ -7,17 +7,18 @@
 #include <limits>
 #include <utility>
 
+#include "stickslip/analytic/event_driven.hpp"
 #include "studies/common/parallel.hpp"
+#include "studies/common/problem_parameter.hpp"
 
 namespace stickslip::comparison {
 
 namespace {
 
 using Values = std::vector<double>;
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 struct Tried {
-  double number{}, distance{infinity};
+  double number{}, distance{std::numeric_limits<double>::infinity()};
   Values values{};
 };
 
@@ -86,6 +87,110 @@ Tried fitted(const ComparedValues& values, double uncertainty, double near, cons
   return best;
 }
 
+// --- masses
+
+using studies::two_pi;
+
+double number(const Numbers& numbers, const std::string& key, double otherwise) {
+  const auto found = numbers.find(key);
+  return found == numbers.end() ? otherwise : found->second;
+}
+
+// One mass on a wall, a block on an incline, or a mass from which another one hangs on a spring, x2 = x1 + F/k +
+// T/sqrt(m2).
+analytic::ContactModel mass_model(const Numbers& numbers, double pull) {
+  const auto of = [&](const char* key, double otherwise) { return number(numbers, key, otherwise); };
+  const double mass = of("mass", 1.0), gravity = of("gravity", 0.0), slope = of("slope", 0.0);
+  const double weight = mass * gravity / std::hypot(1.0, slope);
+  analytic::ContactModel model;
+  model.contact_mass = mass;
+  model.contact_stiffness = of("stiffness", 0.0);
+  model.load = {of("force.amplitude", 0.0)};
+  model.load_angular_frequency = of("force.angular_frequency", 1.0);
+  model.contact_force = slope * weight + pull;
+  const double kinetic = of("kinetic_coefficient", 1.0);
+  data::FrictionCoefficients friction{
+      .static_coefficient = std::max(of("static_coefficient", kinetic * of("mu_s/mu_k", 1.0)), kinetic),
+      .kinetic_coefficient = kinetic};
+  if (friction.static_coefficient != friction.kinetic_coefficient)
+    friction.decay = std::numeric_limits<double>::infinity();
+  model.friction = data::FrictionLaw(friction);
+  model.normal_force = gravity > 0.0 ? weight : of("friction_force", of("normal_force", 0.0));
+  if (numbers.contains("other_mass")) {
+    const double other = of("other_mass", mass);
+    model.angular_frequency = {std::sqrt(of("coupling", 0.0) / other)};
+    model.mass_coupling = {std::sqrt(other)};
+    model.contact_mass = mass + other;
+    model.follower = {0.0};
+    model.load = {0.0, model.load[0]};
+  }
+  return model;
+}
+
+// At rest it sticks, unless holding it takes more than friction gives.
+void start(analytic::EventDriven& run, const analytic::ContactModel& model,
+           const std::vector<double>& amplitudes, const std::vector<double>& rates, double position,
+           double velocity) {
+  const double limit = model.friction.static_coefficient() * model.normal_force;
+  const bool is_held = std::abs(model.contact_stiffness * position - model.contact_force) <= limit;
+  if (velocity == 0.0 && is_held)
+    run.start_stuck(amplitudes, rates, position);
+  else
+    run.start_slipping(amplitudes, rates, position, velocity);
+}
+
+// Adds the rows up to `end`, or as many as are seen, of a run that starts at `begin`.
+void add_rows(MassRows& rows, analytic::EventDriven& run, const MassRows& seen, double begin, double end) {
+  const std::size_t before = rows.times.size(), most = seen.times.size();
+  if (seen.changes.front() == "state") {
+    for (const double time : seen.times) {
+      run.advance_to(time);
+      rows.changes.emplace_back("state");
+      rows.times.push_back(time);
+      rows.positions.push_back(run.contact_position());
+    }
+    return;
+  }
+  constexpr int parts = 20;
+  for (int part = 1; part <= parts && before + run.events().size() < most; ++part)
+    run.advance_to((end - begin) * part / parts);
+  for (const data::ContactEvent& event : run.events()) {
+    if (rows.times.size() == most) return;
+    rows.changes.emplace_back(data::to_string(event.change));
+    rows.times.push_back(begin + event.time);
+    rows.positions.push_back(event.position);
+  }
+}
+
+// N |v_s|, the mean from mean_from to mean_to, on a wall with the acceleration a sin(Omega t).
+double mean_power(const Numbers& numbers) {
+  analytic::ContactModel model = mass_model(numbers, 0.0);
+  const double omega = two_pi * numbers.at("plane_acceleration.frequency_hz");
+  model.load_angular_frequency = omega;
+  model.wall_amplitude = -numbers.at("amplitude") / (omega * omega);
+  analytic::EventDriven run(model, {.tolerance = 1e-10, .keep_energy_balance = true});
+  const double from = numbers.at("mean_from"), to = numbers.at("mean_to");
+  run.advance_to(from);
+  const double before = run.energy_balance().friction_loss;
+  run.advance_to(to);
+  return (run.energy_balance().friction_loss - before) / (to - from) * numbers.at("normal_force") /
+         numbers.at("friction_force");
+}
+
+// The captures in a period of the force, with a stiffness and a friction force of 1.
+double stops(const Numbers& numbers) {
+  const double omega = numbers.at("frequency_ratio"), to = two_pi / omega * numbers.at("period");
+  analytic::EventDriven run(mass_model({{"stiffness", 1.0},
+                                        {"friction_force", 1.0},
+                                        {"force.amplitude", numbers.at("force_ratio")},
+                                        {"force.angular_frequency", omega}},
+                                       0.0));
+  run.advance_to(to);
+  return static_cast<double>(std::ranges::count_if(run.events(), [&](const data::ContactEvent& event) {
+    return event.change == data::ContactChange::capture && event.time > to - two_pi / omega;
+  }));
+}
+
 }  // namespace
 
 std::optional<Hypothesis> wrong_number(const ComparedValues& values, double uncertainty,
@@ -95,26 +200,56 @@ std::optional<Hypothesis> wrong_number(const ComparedValues& values, double unce
   const double nearest = std::max(2.0 * uncertainty, whole / least_ratio);
   if (!(whole > uncertainty)) return std::nullopt;  // nothing is to be explained
   const double ratio = required_ratio(values.theirs.size(), 1, static_cast<int>(numbers.size()));
-  std::vector<std::optional<Hypothesis>> found(numbers.size());
+  std::vector<Hypothesis> found(numbers.size(), {.distance = std::numeric_limits<double>::infinity()});
   studies::in_parallel(numbers.size(), [&](std::size_t i) {
     const Tried best = fitted(values, uncertainty, nearest, numbers[i]);
     if (best.distance <= std::min(nearest, whole / ratio))
-      found[i] = Hypothesis{
-          .name = "wrong-number",
-          .values = best.values,
-          .free = 1,
-          .sentence = numbers[i].sentence(best.number),
-          .distance = best.distance,
-          .from_reference = distance(values.norm, values.reference, best.values, values.reference)};
+      found[i] = {.name = "wrong-number",
+                  .values = best.values,
+                  .free = 1,
+                  .sentence = numbers[i].sentence(best.number),
+                  .distance = best.distance,
+                  .from_reference = distance(values.norm, values.reference, best.values, values.reference)};
   });
-  std::erase(found, std::nullopt);
-  std::ranges::sort(found, {}, [](const auto& one) { return one->distance; });
+  std::erase_if(found, [](const Hypothesis& one) { return !std::isfinite(one.distance); });
+  std::ranges::sort(found, {}, &Hypothesis::distance);
   if (found.empty()) return std::nullopt;
-  Hypothesis best = *found.front();
+  Hypothesis best = found.front();
   for (std::size_t i = 1; i < found.size(); ++i)
-    if (distance(values.norm, values.reference, found[i]->values, best.values) <= nearest)
-      best.sentence += ", or" + found[i]->sentence.substr(4);
+    if (distance(values.norm, values.reference, found[i].values, best.values) <= nearest)
+      best.sentence += ", or" + found[i].sentence.substr(4);
   return best;
+}
+
+std::optional<MassRows> mass_rows(const Numbers& numbers, const MassRows& seen) {
+  if (seen.times.empty()) return std::nullopt;
+  const double pull = number(numbers, "pull.force", 0.0), until = number(numbers, "pull.until", 0.0);
+  const double end = 2.0 * seen.times.back();
+  const analytic::ContactModel model = mass_model(numbers, pull);
+  MassRows rows;
+  analytic::EventDriven run(model);
+  const double position = number(numbers, "position", 0.0), velocity = number(numbers, "velocity", 0.0);
+  if (!numbers.contains("other_mass")) {
+    start(run, model, {}, {}, position, velocity);
+    add_rows(rows, run, seen, 0.0, end);
+  } else {
+    const double stretch = pull / numbers.at("coupling") * std::sqrt(numbers.at("other_mass"));
+    start(run, model, {-stretch}, {0.0}, position, velocity);
+    add_rows(rows, run, seen, 0.0, until);
+    run.advance_to(until);
+    const analytic::ContactModel free = mass_model(numbers, 0.0);
+    analytic::EventDriven on(free);
+    start(on, free, {run.amplitudes()[0] + stretch}, run.rates(), run.contact_position(),
+          run.contact_velocity());
+    add_rows(rows, on, seen, until, end);
+  }
+  return rows.changes == seen.changes ? std::optional(rows) : std::nullopt;
+}
+
+std::optional<double> mass_value(const Numbers& numbers, const std::string& name) {
+  if (name == "power") return mean_power(numbers);
+  if (name == "stops") return stops(numbers);
+  return std::nullopt;
 }
 
 }  // namespace stickslip::comparison

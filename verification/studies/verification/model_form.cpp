@@ -80,21 +80,21 @@ ModelPlane direction_plane(const FigurePlane& figure, const CriterionMap& follow
 
 // |f_max| per metre of amplitude, N/m, or nothing if no state of stick is stable.
 std::optional<double> unit_force(const data::Case& problem, const ModelVariant& variant) {
-  constexpr double relative_width = 1e-6;
+  constexpr double bound_width = 1e-6;
   const data::Beam& beam = problem.beam;
   const data::Damping damping({.ratio = variant.damping_ratio});
   const double omega = angular_frequency(problem.excitation), duration = problem.numerics.duration();
   const int modes = problem.numerics.modes();
   if (!std::isfinite(variant.stiffness_ratio))
     return analytic::largest_unit_force(beam, damping, problem.excitation.frequency_hz(), duration, modes,
-                                        analytic::SteadyPart::exact, relative_width)
+                                        analytic::SteadyPart::exact, bound_width)
         .midpoint();
   const double stiffness = variant.stiffness_ratio * 3.0 * beam.youngs_modulus() *
                            beam.second_moment_of_area() / std::pow(beam.length(), 3);
   try {
     return analytic::DampedForce(analytic::compliant_reaction(beam, damping, stiffness, modes), omega,
                                  duration)
-        .refined_to(relative_width)
+        .refined_to(bound_width)
         .midpoint();
   } catch (const data::FieldError& error) {
     if (error.field() == "contact.tangential_stiffness") return std::nullopt;

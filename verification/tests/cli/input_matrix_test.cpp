@@ -29,8 +29,8 @@
 #include "stickslip/data/reference.hpp"
 #include "stickslip/data/user_table.hpp"
 #include "support/command_line.hpp"
-#include "support/error_message.hpp"
 #include "support/requirements.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 namespace {

@@ -14,7 +14,7 @@
 
 #include "comparison/diagnosis/diagnosis.hpp"
 #include "stickslip/data/case_file.hpp"
-#include "support/error_message.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 

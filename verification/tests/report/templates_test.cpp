@@ -17,8 +17,8 @@
 #include "render/study_table.hpp"
 #include "stickslip/data/atomic_file.hpp"
 #include "stickslip/data/input_error.hpp"
-#include "support/error_message.hpp"
 #include "support/requirements.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip {
 namespace {

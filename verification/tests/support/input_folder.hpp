@@ -12,7 +12,7 @@
 
 #include "stickslip/data/atomic_file.hpp"
 #include "stickslip/data/input_error.hpp"
-#include "support/error_message.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 
