@@ -303,7 +303,10 @@ def main():
         """Processor time of stickslip with its first settings, mean of three runs; None if it has no such problem."""
         if problem not in times:
             found = next(((peer, run) for peer, run, of in todo if peer["code"] == "stickslip" and of == problem and "cannot" not in run), None)
-            times[problem] = sum(drive(*found, problem)[0] for _ in range(3)) / 3 if found else None
+            try:
+                times[problem] = sum(drive(*found, problem)[0] for _ in range(3)) / 3 if found else None
+            except CannotRun as reason:
+                sys.exit(f"peers.py: stickslip cannot run {problem}: {reason}")
         return times[problem]
 
     for number, (peer, run, problem) in enumerate(todo, 1):

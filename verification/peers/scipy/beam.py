@@ -168,7 +168,7 @@ def undamped_in_free_modes(contact, times, modes, step):
 
 
 def slider_power(a, **options):
-    """SDND104: x is the sliding velocity and the work of 10 N |v|; the plane shakes with a sin(2 pi t)."""
+    """SDND104: x is the sliding velocity v and the work of 10 N |v|, smooth over the stop; the plane shakes with a sin(2 pi t)."""
     t, x, direction = 0.0, [0.0, 0.0], 0
     while t < 12.0:
         if direction == 0:  # it sticks while the inertia force is below 1 N
@@ -182,7 +182,7 @@ def slider_power(a, **options):
                 break
 
         def rate(t, x):
-            return [-a * math.sin(2 * math.pi * t) - direction, 10 * abs(x[0]) if t >= 4 else 0.0]
+            return [-a * math.sin(2 * math.pi * t) - direction, 10 * direction * x[0] if t >= 4 else 0.0]
 
         def stop(t, x):
             return direction * x[0]

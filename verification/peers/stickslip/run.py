@@ -17,6 +17,12 @@ CASES = {"stick-history": ("paper-figure9", "--duration", "1"),
          "undamped-history-25": ("paper", "--hz", "25", "--amplitude", "1e-3", "--duration", "0.5")}
 SAMPLES = {"stick-history": (1000, 1000), "undamped-history-25": (2000, 1000)}  # per second, number
 
+
+def rows_of(file):
+    """The rows of a CSV file of stickslip, which begins with a comment."""
+    return csv.DictReader(line for line in open(file) if not line.startswith("#"))
+
+
 program, problem, folder, options = sys.argv[1], sys.argv[2], sys.argv[3], sys.argv[4:]
 with open(f"{folder}/result.csv", "w", newline="") as file:
     out = csv.writer(file)
@@ -38,13 +44,13 @@ with open(f"{folder}/result.csv", "w", newline="") as file:
     subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
     per_second, number = SAMPLES.get(problem, (5000, 2500))
     out.writerow(["time", "phase", "midspan_displacement", "tip_displacement", "friction_force"])
-    for row in csv.DictReader(open(f"{folder}/all.csv")):
+    for row in rows_of(f"{folder}/all.csv"):
         sample = float(row["time_s"]) * per_second
         if abs(sample - round(sample)) < 1e-6 and (sample > 0.5 or problem.startswith("undamped")):
             out.writerow([f"{round(sample) / per_second:.10g}", row["state"].split("-")[0], row["midspan_displacement_m"],
                           row["tip_displacement_m"], row["friction_force_N"]])
 if problem.startswith("stick-slip"):
-    events = [row for row in csv.DictReader(open(f"{folder}/changes.csv")) if row["change"] != "reversal"]
+    events = [row for row in rows_of(f"{folder}/changes.csv") if row["change"] != "reversal"]
     for i in range(len(events) - 2, -1, -1):  # a stick shorter than 2e-5 s counts as slip
         if events[i]["change"] == "capture" and float(events[i + 1]["time_s"]) - float(events[i]["time_s"]) < 2e-5:
             del events[i:i + 2]

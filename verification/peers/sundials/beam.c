@@ -146,7 +146,7 @@ static int slider_rate(double t, N_Vector state, N_Vector rate, void* data) {
   (void)data;
   const double v = N_VGetArrayPointer(state)[0];
   N_VGetArrayPointer(rate)[0] = -slider_amplitude * sin(2 * M_PI * t) - direction;
-  N_VGetArrayPointer(rate)[1] = t >= 4 ? 10 * fabs(v) : 0;
+  N_VGetArrayPointer(rate)[1] = t >= 4 ? 10 * direction * v : 0;
   return 0;
 }
 
