@@ -11,8 +11,6 @@ namespace {
 
 using analytic::TipSupport;
 
-constexpr double amplitude = Vibration::amplitude;
-
 // f(t) of the bonded tip over 0.2 s. A quarter of the step with half the element leaves 1/16 of the error; twice the
 // modes leave an eighth.
 STICKSLIP_VERIFIES(DampedSteppedResponse, "X8");
@@ -34,7 +32,7 @@ TEST(DampedSteppedResponse, StartsAsTheClosedFormSays) {
     const analytic::DampedForce force(
         analytic::damped_reaction(v.beam(), v.damping, modes, analytic::SteadyPart::exact), v.omega(), 0.2);
     std::vector<double> forces;
-    for (int n = 1; n <= 2000; ++n) forces.push_back(amplitude * force.value(1e-4 * n));
+    for (int n = 1; n <= 2000; ++n) forces.push_back(Vibration::amplitude * force.value(1e-4 * n));
     return forces;
   };
   const auto distance = [](const std::vector<double>& a, const std::vector<double>& b) {
