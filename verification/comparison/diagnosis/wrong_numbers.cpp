@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -48,11 +49,11 @@ double step_of(const ComparedValues& values, const Tried& here, const Tried& bes
 
 // From one of the numbers that were tried on, within its neighbours. The slope is that to a neighbour as far away as the
 // last step, so that what jitters over shorter distances, such as the largest force, does not mislead it.
-Tried refined(const ComparedValues& values, const FreeNumber& free, std::size_t start, double enough) {
+Tried refined(const ComparedValues& values, const FreeNumber& free, Tried best, double enough) {
   constexpr int most = 16;
-  const double from = free.tried[start == 0 ? 0 : start - 1],
-               to = free.tried[std::min(start + 1, free.tried.size() - 1)];
-  Tried best = tried(values, free, free.tried[start]);
+  const auto start = std::ranges::find(free.tried, best.number);
+  const double from = start == free.tried.begin() ? *start : *std::prev(start),
+               to = std::next(start) == free.tried.end() ? *start : *std::next(start);
   double width = 0.25 * (to - from);
   for (int runs = 0; runs < most && best.distance > enough; runs += 2) {
     Tried beside = tried(values, free, best.number + width);
@@ -75,14 +76,13 @@ Tried refined(const ComparedValues& values, const FreeNumber& free, std::size_t 
 Tried fitted(const ComparedValues& values, double uncertainty, double near, const FreeNumber& free) {
   constexpr double worth_fitting = 0.6, enough = 0.1;
   const double whole = distance(values.norm, values.reference, values.theirs, values.reference);
-  std::vector<std::pair<double, std::size_t>> starts;
-  for (std::size_t k = 0; k < free.tried.size(); ++k)
-    starts.emplace_back(tried(values, free, free.tried[k]).distance, k);
-  std::ranges::sort(starts);
+  std::vector<Tried> starts;
+  for (const double number : free.tried) starts.push_back(tried(values, free, number));
+  std::ranges::stable_sort(starts, {}, &Tried::distance);
   Tried best;
-  for (const auto& [distance, k] : {starts[0], starts[1]})
-    if (distance < worth_fitting * whole && best.distance > near)
-      if (Tried one = refined(values, free, k, enough * uncertainty); one.distance < best.distance)
+  for (std::size_t k = 0; k < 2; ++k)
+    if (starts[k].distance < worth_fitting * whole && best.distance > near)
+      if (Tried one = refined(values, free, starts[k], enough * uncertainty); one.distance < best.distance)
         best = std::move(one);
   return best;
 }
