@@ -110,7 +110,7 @@ class Search {
   [[nodiscard]] bool groups_are_rows() const {
     return comparison_.kind == data::ComparisonKind::table &&
            (rule_ != nullptr ? rule_->case_column.empty()
-                             : is_of_one_motion() || !numbers_of_mass("").empty());
+                             : is_of_one_motion() || !numbers_of_mass(reference_.resource, "").empty());
   }
 
   [[nodiscard]] bool is_of_timoshenko_beams() const {
@@ -272,7 +272,7 @@ class Search {
   // --- wrong numbers in the problem of a mass
 
   [[nodiscard]] Candidates mass_numbers(const Question& question) const {
-    Numbers numbers = numbers_of_mass(question.group.group);
+    Numbers numbers = numbers_of_mass(reference_.resource, question.group.group);
     if (numbers.empty()) return {};
     Candidates multiple = relations(question);
     if (multiple.empty()) multiple = relations_in_sequence(question);
@@ -344,19 +344,6 @@ class Search {
         all.push_back((rows.*column)[i] / scales[i]);
     }
     return all;
-  }
-
-  // The numbers that state the problem of a mass; empty for a beam.
-  [[nodiscard]] Numbers numbers_of_mass(const std::string& group) const {
-    const data::Resource& resource = reference_.resource;
-    Numbers numbers;
-    if (!resource.stated.beam.empty() || resource.field("beam") != nullptr) return numbers;
-    const auto is = group.find(" = ");
-    const std::string prefix = is == std::string::npos ? "" : group.substr(is + 3) + ".";
-    for (const auto& [key, number] : resource.stated.numbers)
-      if (key.starts_with(prefix)) numbers[key.substr(prefix.size())] = number;
-    if (numbers.contains("friction_force") && !prefix.empty()) numbers["mu_s/mu_k"] = 1.0;
-    return numbers;
   }
 
   [[nodiscard]] bool is_mode_shape() const {

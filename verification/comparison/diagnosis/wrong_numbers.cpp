@@ -96,44 +96,10 @@ double number(const Numbers& numbers, const std::string& key, double otherwise) 
   return found == numbers.end() ? otherwise : found->second;
 }
 
-// One mass on a wall, a block on an incline, or a mass from which another one hangs on a spring, x2 = x1 + F/k +
-// T/sqrt(m2).
-analytic::ContactModel mass_model(const Numbers& numbers, double pull) {
-  const auto of = [&](const char* key, double otherwise) { return number(numbers, key, otherwise); };
-  const double mass = of("mass", 1.0), gravity = of("gravity", 0.0), slope = of("slope", 0.0);
-  const double weight = mass * gravity / std::hypot(1.0, slope);
-  analytic::ContactModel model;
-  model.contact_mass = mass;
-  model.contact_stiffness = of("stiffness", 0.0);
-  model.load = {of("force.amplitude", 0.0)};
-  model.load_angular_frequency = of("force.angular_frequency", 1.0);
-  model.contact_force = slope * weight + pull;
-  const double kinetic = of("kinetic_coefficient", 1.0);
-  data::FrictionCoefficients friction{
-      .static_coefficient = std::max(of("static_coefficient", kinetic * of("mu_s/mu_k", 1.0)), kinetic),
-      .kinetic_coefficient = kinetic};
-  if (friction.static_coefficient != friction.kinetic_coefficient)
-    friction.decay = std::numeric_limits<double>::infinity();
-  model.friction = data::FrictionLaw(friction);
-  model.normal_force = gravity > 0.0 ? weight : of("friction_force", of("normal_force", 0.0));
-  if (numbers.contains("other_mass")) {
-    const double other = of("other_mass", mass);
-    model.angular_frequency = {std::sqrt(of("coupling", 0.0) / other)};
-    model.mass_coupling = {std::sqrt(other)};
-    model.contact_mass = mass + other;
-    model.follower = {0.0};
-    model.load = {0.0, model.load[0]};
-  }
-  return model;
-}
-
-// At rest it sticks, unless holding it takes more than friction gives.
 void start(analytic::EventDriven& run, const analytic::ContactModel& model,
            const std::vector<double>& amplitudes, const std::vector<double>& rates, double position,
            double velocity) {
-  const double limit = model.friction.static_coefficient() * model.normal_force;
-  const bool is_held = std::abs(model.contact_stiffness * position - model.contact_force) <= limit;
-  if (velocity == 0.0 && is_held)
+  if (is_held(model, position, velocity))
     run.start_stuck(amplitudes, rates, position);
   else
     run.start_slipping(amplitudes, rates, position, velocity);
@@ -164,7 +130,7 @@ void add_rows(MassRows& rows, analytic::EventDriven& run, const MassRows& seen, 
 
 // N |v_s|, the mean from mean_from to mean_to, on a wall with the acceleration a sin(Omega t).
 double mean_power(const Numbers& numbers) {
-  analytic::ContactModel model = mass_model(numbers, 0.0);
+  analytic::ContactModel model = mass_model(numbers);
   const double omega = two_pi * numbers.at("plane_acceleration.frequency_hz");
   model.load_angular_frequency = omega;
   model.wall_amplitude = -numbers.at("amplitude") / (omega * omega);
@@ -183,8 +149,7 @@ double stops(const Numbers& numbers) {
   analytic::EventDriven run(mass_model({{"stiffness", 1.0},
                                         {"friction_force", 1.0},
                                         {"force.amplitude", numbers.at("force_ratio")},
-                                        {"force.angular_frequency", omega}},
-                                       0.0));
+                                        {"force.angular_frequency", omega}}));
   run.advance_to(to);
   return static_cast<double>(std::ranges::count_if(run.events(), [&](const data::ContactEvent& event) {
     return event.change == data::ContactChange::capture && event.time > to - two_pi / omega;
@@ -221,6 +186,51 @@ std::optional<Hypothesis> wrong_number(const ComparedValues& values, double unce
   return best;
 }
 
+Numbers numbers_of_mass(const data::Resource& resource, const std::string& group) {
+  Numbers numbers;
+  if (!resource.stated.beam.empty() || resource.field("beam") != nullptr) return numbers;
+  const auto is = group.find(" = ");
+  const std::string prefix = is == std::string::npos ? "" : group.substr(is + 3) + ".";
+  for (const auto& [key, value] : resource.stated.numbers)
+    if (key.starts_with(prefix)) numbers[key.substr(prefix.size())] = value;
+  if (numbers.contains("friction_force") && !prefix.empty()) numbers["mu_s/mu_k"] = 1.0;
+  return numbers;
+}
+
+analytic::ContactModel mass_model(const Numbers& numbers, double pull) {
+  const auto of = [&](const char* key, double otherwise) { return number(numbers, key, otherwise); };
+  const double mass = of("mass", 1.0), gravity = of("gravity", 0.0), slope = of("slope", 0.0);
+  const double weight = mass * gravity / std::hypot(1.0, slope);
+  analytic::ContactModel model;
+  model.contact_mass = mass;
+  model.contact_stiffness = of("stiffness", 0.0);
+  model.load = {of("force.amplitude", 0.0)};
+  model.load_angular_frequency = of("force.angular_frequency", 1.0);
+  model.contact_force = slope * weight + pull;
+  const double kinetic = of("kinetic_coefficient", 1.0);
+  data::FrictionCoefficients friction{
+      .static_coefficient = std::max(of("static_coefficient", kinetic * of("mu_s/mu_k", 1.0)), kinetic),
+      .kinetic_coefficient = kinetic};
+  if (friction.static_coefficient != friction.kinetic_coefficient)
+    friction.decay = std::numeric_limits<double>::infinity();
+  model.friction = data::FrictionLaw(friction);
+  model.normal_force = gravity > 0.0 ? weight : of("friction_force", of("normal_force", 0.0));
+  if (numbers.contains("other_mass")) {
+    const double other = of("other_mass", mass);
+    model.angular_frequency = {std::sqrt(of("coupling", 0.0) / other)};
+    model.mass_coupling = {std::sqrt(other)};
+    model.contact_mass = mass + other;
+    model.follower = {0.0};
+    model.load = {0.0, model.load[0]};
+  }
+  return model;
+}
+
+bool is_held(const analytic::ContactModel& model, double position, double velocity) {
+  return velocity == 0.0 && std::abs(model.contact_stiffness * position - model.contact_force) <=
+                                model.friction.static_coefficient() * model.normal_force;
+}
+
 std::optional<MassRows> mass_rows(const Numbers& numbers, const MassRows& seen) {
   if (seen.times.empty()) return std::nullopt;
   const double pull = number(numbers, "pull.force", 0.0), until = number(numbers, "pull.until", 0.0);
@@ -237,7 +247,7 @@ std::optional<MassRows> mass_rows(const Numbers& numbers, const MassRows& seen) 
     start(run, model, {-stretch}, {0.0}, position, velocity);
     add_rows(rows, run, seen, 0.0, until);
     run.advance_to(until);
-    const analytic::ContactModel free = mass_model(numbers, 0.0);
+    const analytic::ContactModel free = mass_model(numbers);
     analytic::EventDriven on(free);
     start(on, free, {run.amplitudes()[0] + stretch}, run.rates(), run.contact_position(),
           run.contact_velocity());

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "comparison/diagnosis/ranking.hpp"
+#include "stickslip/analytic/contact_model.hpp"
 
 namespace stickslip::comparison {
 
@@ -32,6 +33,16 @@ struct FreeNumber {
 
 /// By the keys of the problem, such as "force.amplitude"; data/reference/README.md has the equations.
 using Numbers = std::map<std::string, double>;
+
+/// The numbers that state the problem of a mass, for a group such as "problem = sdnd100" its own; empty for a beam.
+[[nodiscard]] Numbers numbers_of_mass(const data::Resource& resource, const std::string& group);
+
+/// One mass on a wall, a block on an incline, or a mass from which another one hangs on a spring, x2 = x1 + F/k +
+/// T/sqrt(m2), while F = `pull` (N) acts on the contact.
+[[nodiscard]] analytic::ContactModel mass_model(const Numbers& numbers, double pull = 0.0);
+
+/// Whether a contact with this position (m) and velocity (m/s) rests, and friction can hold it.
+[[nodiscard]] bool is_held(const analytic::ContactModel& model, double position, double velocity);
 
 /// Changes of contact, or states at given times.
 struct MassRows {
