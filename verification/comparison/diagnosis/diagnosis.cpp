@@ -554,10 +554,11 @@ class Search {
   [[nodiscard]] std::optional<Quantity> quantity_of(const std::string& field) const {
     if (is_force_ratio()) return Quantity::critical_amplitude;
     if (rule_ != nullptr) {
-      const auto* const known = std::ranges::find(quantity_names, rule_->quantity);
+      const auto* const known =
+          std::ranges::find(quantity_names, rule_->quantity, &std::pair<Quantity, std::string_view>::second);
       if (known == quantity_names.end())
         throw data::InputError(fmt::format("the quantity '{}' of a diagnosis is unknown", rule_->quantity));
-      const auto quantity = static_cast<Quantity>(known - quantity_names.begin());
+      const Quantity quantity = known->first;
       if (field == rule_->value) return quantity;
       if (field == "friction_force" && quantity == Quantity::stick_displacement) return Quantity::stick_force;
       if (field == "friction_force" && quantity == Quantity::tip_displacement)

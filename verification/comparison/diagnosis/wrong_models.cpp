@@ -473,7 +473,9 @@ data::Norm measure_of(Quantity quantity) {
   return is_relative ? data::Norm::relative : data::Norm::scale;
 }
 
-std::string_view name_of(Quantity quantity) { return quantity_names.at(static_cast<std::size_t>(quantity)); }
+std::string_view name_of(Quantity quantity) {
+  return std::ranges::find(quantity_names, quantity, &std::pair<Quantity, std::string_view>::first)->second;
+}
 
 const std::vector<WrongModel>& wrong_models() {
   static const std::vector<WrongModel> all = [] {

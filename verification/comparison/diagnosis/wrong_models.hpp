@@ -45,26 +45,31 @@ enum class Quantity {
   midspan_velocity       ///< y_t(L/2, t), m/s, over t in s
 };
 
-inline constexpr std::array<std::string_view, 20> quantity_names{
-    "stick frequency",      "slip frequency",
-    "participation",        "quasi-static shape",
-    "force maximum",        "critical amplitude",
-    "stick force",          "stick displacement",
-    "stick velocity",       "steady amplitude",
-    "steady phase",         "steady force amplitude",
-    "steady force phase",   "heat",
-    "contact event",        "tip displacement",
-    "friction force",       "tip velocity",
-    "midspan displacement", "midspan velocity"};
+inline constexpr auto quantity_names = [] {
+  using enum Quantity;
+  return std::array<std::pair<Quantity, std::string_view>, 20>{
+      {{stick_frequency, "stick frequency"},
+       {slip_frequency, "slip frequency"},
+       {participation, "participation"},
+       {quasi_static_shape, "quasi-static shape"},
+       {force_maximum, "force maximum"},
+       {critical_amplitude, "critical amplitude"},
+       {stick_force, "stick force"},
+       {stick_displacement, "stick displacement"},
+       {stick_velocity, "stick velocity"},
+       {steady_amplitude, "steady amplitude"},
+       {steady_phase, "steady phase"},
+       {steady_force_amplitude, "steady force amplitude"},
+       {steady_force_phase, "steady force phase"},
+       {heat, "heat"},
+       {contact_event, "contact event"},
+       {tip_displacement, "tip displacement"},
+       {friction_force, "friction force"},
+       {tip_velocity, "tip velocity"},
+       {midspan_displacement, "midspan displacement"},
+       {midspan_velocity, "midspan velocity"}}};
+}();
 
-/// Those of which each wrong model lists whether it changes them.
-inline constexpr std::array all_quantities{
-    Quantity::stick_frequency,    Quantity::slip_frequency,     Quantity::participation,
-    Quantity::quasi_static_shape, Quantity::force_maximum,      Quantity::critical_amplitude,
-    Quantity::stick_force,        Quantity::stick_displacement, Quantity::contact_event,
-    Quantity::tip_displacement,   Quantity::friction_force};
-
-/// The name of a quantity, such as "stick frequency" or "force maximum".
 [[nodiscard]] std::string_view name_of(Quantity quantity);
 
 /// The measure of the distances of its results.
@@ -72,10 +77,11 @@ inline constexpr std::array all_quantities{
 
 /// A wrong model.
 struct WrongModel {
-  std::string name;               ///< such as "zero-initial-velocity"
-  std::string mistake;            ///< the mistake, in one clause
-  std::string place;              ///< the equation or section of the paper that it concerns
-  std::vector<Quantity> changes;  ///< of all_quantities; or another one, if none of them
+  std::string name;     ///< such as "zero-initial-velocity"
+  std::string mistake;  ///< the mistake, in one clause
+  std::string place;    ///< the equation or section of the paper that it concerns
+  /// Of the first eight, contact_event, tip_displacement and friction_force; or another one, if none of these.
+  std::vector<Quantity> changes;
 };
 STICKSLIP_MEMBERS(WrongModel, (name, "-"), (mistake, "-"), (place, "-"))
 

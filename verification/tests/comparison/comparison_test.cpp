@@ -344,7 +344,9 @@ TEST(DiagnosisOfMistake, TheMistakeThatWasMade) {
         {"damped-history", "widely-regularised-friction", "damped"}}) {
     SCOPED_TRACE(wrong_model);
     const data::DiagnosisRule& rule = *small_package().resource(set).diagnosis;
-    const auto what = *std::ranges::find(comparison::all_quantities, rule.quantity, comparison::name_of);
+    const auto what = std::ranges::find(comparison::quantity_names, rule.quantity, [](const auto& named) {
+                        return named.second;
+                      })->first;
     auto mine = own_copy(set, {"beam", "change", rule.abscissa, rule.value});
     if (std::string(set) == "stick-frequencies" || what == comparison::Quantity::contact_event)
       mine.keep_first(6);
