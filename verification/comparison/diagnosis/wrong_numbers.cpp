@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
 #include <iterator>
 #include <limits>
+#include <stdexcept>
 #include <utility>
 
 #include "stickslip/analytic/event_driven.hpp"
@@ -30,7 +30,8 @@ Tried tried(const ComparedValues& values, const FreeNumber& free, double number)
       one.values = *std::move(result);
       one.distance = distance(values.norm, values.reference, values.theirs, one.values);
     }
-  } catch (const std::exception&) {  // there is no such state
+  } catch (const data::InputError&) {    // there is no such state,
+  } catch (const std::runtime_error&) {  // or the numbers of its motion grow without a limit
   }
   return one;
 }
@@ -61,8 +62,9 @@ Tried refined(const ComparedValues& values, const FreeNumber& free, Tried best, 
       width *= -0.25;
       continue;
     }
-    const double step = step_of(values, best, beside);
-    Tried next = tried(values, free, std::clamp(best.number + step, from, to));
+    Tried next;
+    if (const double step = step_of(values, best, beside); std::isfinite(step))
+      next = tried(values, free, std::clamp(best.number + step, from, to));
     Tried& nearer = next.distance < beside.distance ? next : beside;
     const double moved = nearer.number - best.number;
     if (nearer.distance < best.distance && moved != 0.0)
@@ -232,8 +234,8 @@ bool is_held(const analytic::ContactModel& model, double position, double veloci
 }
 
 std::optional<MassRows> mass_rows(const Numbers& numbers, const MassRows& seen) {
-  if (seen.times.empty()) return std::nullopt;
   const double pull = number(numbers, "pull.force", 0.0), until = number(numbers, "pull.until", 0.0);
+  if (seen.times.empty() || until < 0.0) return std::nullopt;
   const double end = 2.0 * seen.times.back();
   const analytic::ContactModel model = mass_model(numbers, pull);
   MassRows rows;
@@ -257,8 +259,9 @@ std::optional<MassRows> mass_rows(const Numbers& numbers, const MassRows& seen) 
 }
 
 std::optional<double> mass_value(const Numbers& numbers, const std::string& name) {
-  if (name == "power") return mean_power(numbers);
-  if (name == "stops") return stops(numbers);
+  const double from = number(numbers, "mean_from", -1.0), to = number(numbers, "mean_to", 0.0);
+  if (name == "power" && 0.0 <= from && from < to) return mean_power(numbers);
+  if (name == "stops" && number(numbers, "period", -1.0) >= 0.0) return stops(numbers);
   return std::nullopt;
 }
 

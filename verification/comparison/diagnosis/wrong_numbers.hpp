@@ -54,7 +54,7 @@ struct MassRows {
 /// its last time.
 [[nodiscard]] std::optional<MassRows> mass_rows(const Numbers& numbers, const MassRows& seen);
 
-/// The value of a row with its own numbers: "power" or "stops"; empty for another name.
+/// The value of a row with its own numbers: "power" or "stops"; empty for another name, and for times that are none.
 [[nodiscard]] std::optional<double> mass_value(const Numbers& numbers, const std::string& name);
 
 }  // namespace stickslip::comparison
