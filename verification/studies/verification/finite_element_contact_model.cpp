@@ -33,15 +33,8 @@ void require(bool condition, const char* message) {
 
 }  // namespace
 
-HarmonicDrive harmonic_drive(const data::HarmonicExcitation& excitation) {
-  const double omega = angular_frequency(excitation);
-  return {.load_amplitude = -excitation.amplitude() * omega * omega,
-          .angular_frequency = omega,
-          .wall_amplitude = -excitation.amplitude()};
-}
-
 FiniteElementContactModel::FiniteElementContactModel(const solver::ContactSystem& system,
-                                                     const HarmonicDrive& drive)
+                                                     double angular_frequency)
     : contact_(system.contact) {
   const Eigen::Index size = system.mass.rows(), n = size - 1;
   for (Eigen::Index i = 0; i < size; ++i)
@@ -74,6 +67,7 @@ FiniteElementContactModel::FiniteElementContactModel(const solver::ContactSystem
     basis_(others_, n) = -factors.solve(stiffness(others_, contact_));
   }
 
+  const double quarter = 0.25 * two_pi / angular_frequency;  // of a period
   const Eigen::VectorXd inertia = basis_.transpose() * mass * basis_.col(n);
   const Eigen::VectorXd follower = basis_.transpose() * follower_row.transpose();
   model_.angular_frequency = to_vector(frequencies);
@@ -84,9 +78,9 @@ FiniteElementContactModel::FiniteElementContactModel(const solver::ContactSystem
   model_.contact_follower = follower[n];
   if (system.damping.nonZeros() > 0)
     model_.damping = to_matrix(basis_.transpose() * Eigen::MatrixXd(system.damping) * basis_);
-  model_.load = to_vector(drive.load_amplitude * (basis_.transpose() * system.load_shape));
-  model_.load_angular_frequency = drive.angular_frequency;
-  model_.wall_amplitude = drive.wall_amplitude;
+  model_.load = to_vector(system.load_history(quarter) * (basis_.transpose() * system.load_shape));
+  model_.load_angular_frequency = angular_frequency;
+  model_.wall_amplitude = system.wall.displacement(quarter);
   model_.normal_force = system.normal_force;
   model_.friction = system.friction;
   analytic::require_consistent(model_);
@@ -107,7 +101,7 @@ analytic::ContactModel finite_element_contact_model(const data::Case& problem, i
   const solver::BeamModel mesh(problem.beam, elements);
   const solver::PrescribedMotion base = solver::harmonic_motion(problem.excitation);
   return FiniteElementContactModel(solver::beam_contact_system(mesh, problem.friction, base, problem.damping),
-                                   harmonic_drive(problem.excitation))
+                                   angular_frequency(problem.excitation))
       .model();
 }
 

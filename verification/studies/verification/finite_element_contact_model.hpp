@@ -10,17 +10,6 @@
 
 namespace stickslip::studies {
 
-/// The time functions of a ContactSystem in closed form: load_history = load_amplitude sin(Ω t), wall
-/// displacement = wall_amplitude sin(Ω t).
-struct HarmonicDrive {
-  double load_amplitude{};     ///< in the units of load_history
-  double angular_frequency{};  ///< Ω, rad/s, > 0
-  double wall_amplitude{};     ///< W, m
-};
-
-/// The drive of beam_contact_system() for h(t) = A0 sin(Ω t): load_history = h_tt, w = -h.
-[[nodiscard]] HarmonicDrive harmonic_drive(const data::HarmonicExcitation& excitation);
-
 /// Converts a ContactSystem to the ContactModel of the event-driven method: the same semi-discrete system,
 /// without a time step. c is the contact degree of freedom, and f are the other n ones:
 ///
@@ -32,9 +21,10 @@ struct HarmonicDrive {
 /// ω_n²/ω_1².
 class FiniteElementContactModel {
  public:
+  /// Load and wall are proportional to sin(Ω t), Ω = angular_frequency > 0 (rad/s), which gives their amplitudes at Ω t = π/2.
   /// Needs n³ operations on dense matrices. Throws std::invalid_argument unless M_ff and K_ff are positive
   /// definite and K_slip differs from K_stick only in the row c, and what require_consistent() throws.
-  FiniteElementContactModel(const solver::ContactSystem& system, const HarmonicDrive& drive);
+  FiniteElementContactModel(const solver::ContactSystem& system, double angular_frequency);
 
   [[nodiscard]] const analytic::ContactModel& model() const noexcept { return model_; }
 

@@ -202,7 +202,7 @@ struct MeshFields {
     const studies::FiniteElementContactModel contact(
         solver::beam_contact_system(mesh, problem.friction, solver::harmonic_motion(problem.excitation),
                                     problem.damping),
-        studies::harmonic_drive(problem.excitation));
+        2.0 * std::numbers::pi * problem.excitation.frequency_hz());
     analytic::EventDriven run(contact.model());
     const double omega = 2.0 * std::numbers::pi * problem.excitation.frequency_hz();
     const double amplitude = problem.excitation.amplitude();

@@ -255,9 +255,7 @@ using studies::FiniteElementContactModel;
 STICKSLIP_VERIFIES(FiniteElementContactModel, "X9");
 TEST(FiniteElementContactModel, IsTheHandReductionOfTwoMassesAndOfOne) {
   const ForcedPair pair;
-  const studies::HarmonicDrive drive{
-      .load_amplitude = 1.0, .angular_frequency = pair.omega, .wall_amplitude = pair.wall_amplitude};
-  const FiniteElementContactModel two(contact_system(pair), drive);
+  const FiniteElementContactModel two(contact_system(pair), pair.omega);
   const analytic::ContactModel &reduced = two.model(), by_hand = contact_model(pair);
   // The sign of a mode is anyone's choice.
   const double sign = reduced.mass_coupling[0] * by_hand.mass_coupling[0] < 0.0 ? -1.0 : 1.0;
@@ -281,7 +279,7 @@ TEST(FiniteElementContactModel, IsTheHandReductionOfTwoMassesAndOfOne) {
   EXPECT_TRUE(within((two.full(two.amplitudes(q), q[1]) - q).norm(), 0.0, round_off(10, 10, 1.0)));
 
   const FiniteElementContactModel one(contact_system({.mass = 2.0, .stiffness = 3.0, .normal_force = 1.0}),
-                                      {.angular_frequency = 1.0});
+                                      1.0);
   EXPECT_EQ(one.model().modes(), 0u);
   EXPECT_EQ(one.model().contact_mass, 2.0);
   EXPECT_EQ(one.model().contact_stiffness, 3.0);
@@ -289,8 +287,7 @@ TEST(FiniteElementContactModel, IsTheHandReductionOfTwoMassesAndOfOne) {
 }
 
 TEST(FiniteElementContactModel, RefusesWhatHasNoHeldModes) {
-  const studies::HarmonicDrive drive{.angular_frequency = 1.0};
-  const auto reduce = [&](const ForcedPair& pair) { FiniteElementContactModel(contact_system(pair), drive); };
+  const auto reduce = [](const ForcedPair& pair) { FiniteElementContactModel(contact_system(pair), 1.0); };
   ForcedPair pair;
   EXPECT_NO_THROW(reduce(pair));
   pair.slip_stiffness(0, 0) += 1.0;
@@ -301,7 +298,7 @@ TEST(FiniteElementContactModel, RefusesWhatHasNoHeldModes) {
   pair = {};
   pair.mass(0, 0) = -1.0;
   EXPECT_THROW(reduce(pair), std::invalid_argument);
-  EXPECT_THROW(FiniteElementContactModel(contact_system(ForcedPair{}), {}), std::invalid_argument);
+  EXPECT_THROW(FiniteElementContactModel(contact_system(ForcedPair{}), 0.0), std::invalid_argument);
 }
 
 }  // namespace
