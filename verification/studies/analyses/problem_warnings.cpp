@@ -162,9 +162,8 @@ double slip_model_error(const data::Beam& beam, int mode) {
 }
 
 double step_error(double spectral_radius, double omega, double time_step) {
-  const auto numerical = generalized_alpha_oscillation(spectral_radius, omega, time_step);
-  return std::max(std::abs(numerical.angular_frequency / omega - 1.0),
-                  -std::expm1(-2.0 * pi * numerical.decay_rate / omega));
+  const auto exponent = generalized_alpha_exponent(spectral_radius, omega, time_step);
+  return std::max(std::abs(exponent.imag() / omega - 1.0), -std::expm1(2.0 * pi * exponent.real() / omega));
 }
 
 int highest_mode_that_matters(const data::Case& problem) {

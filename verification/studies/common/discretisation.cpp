@@ -73,8 +73,7 @@ double hermite_eigenvalue_error(const data::Beam& beam, const analytic::StickMod
   return std::pow(element_length, 4) / 720.0 * ratio / k;
 }
 
-NumericalOscillation generalized_alpha_oscillation(double spectral_radius, double angular_frequency,
-                                                   double time_step) {
+Complex generalized_alpha_exponent(double spectral_radius, double angular_frequency, double time_step) {
   const double angle = angular_frequency * time_step;
   const Eigen::Vector3cd eigenvalues = amplification_eigenvalues(spectral_radius, angle);
   const Complex principal = *std::max_element(eigenvalues.begin(), eigenvalues.end(),
@@ -85,7 +84,7 @@ NumericalOscillation generalized_alpha_oscillation(double spectral_radius, doubl
   const Complex start =
       angle < 1e-3 ? Complex(-2.0 * std::pow(std::sin(0.5 * angle), 2), std::sin(angle)) : principal - 1.0;
   const Complex d = polished(spectral_radius, angle * angle, start);
-  return {std::arg(1.0 + d) / time_step, -0.5 * std::log1p(2.0 * d.real() + std::norm(d)) / time_step};
+  return {0.5 * std::log1p(2.0 * d.real() + std::norm(d)) / time_step, std::arg(1.0 + d) / time_step};
 }
 
 std::vector<double> amplification_moduli(double spectral_radius, double omega_times_step) {
@@ -128,10 +127,10 @@ double frequency_on_mesh(const data::Beam& beam, const analytic::StickMode& mode
          std::sqrt(1.0 + hermite_eigenvalue_error(beam, mode, beam.length() / elements));
 }
 
-NumericalOscillation discrete_oscillation(const data::Beam& beam, const analytic::StickMode& mode,
-                                          const data::NumericalSettings& numerics) {
-  return generalized_alpha_oscillation(
-      numerics.spectral_radius(), frequency_on_mesh(beam, mode, numerics.elements()), numerics.time_step());
+Complex discrete_exponent(const data::Beam& beam, const analytic::StickMode& mode,
+                          const data::NumericalSettings& numerics) {
+  return generalized_alpha_exponent(numerics.spectral_radius(),
+                                    frequency_on_mesh(beam, mode, numerics.elements()), numerics.time_step());
 }
 
 double drift_bound(const data::Beam& beam, const std::vector<analytic::StickMode>& modes,
@@ -139,9 +138,9 @@ double drift_bound(const data::Beam& beam, const std::vector<analytic::StickMode
                    double duration) {
   double bound = 0.0;
   for (std::size_t n = 0; n < modes.size(); ++n) {
-    const NumericalOscillation discrete = discrete_oscillation(beam, modes[n], numerics);
-    const double phase = std::abs(discrete.angular_frequency - modes[n].angular_frequency()) * duration;
-    const double decay = -std::expm1(-discrete.decay_rate * duration);
+    const Complex discrete = discrete_exponent(beam, modes[n], numerics);
+    const double phase = std::abs(discrete.imag() - modes[n].angular_frequency()) * duration;
+    const double decay = -std::expm1(discrete.real() * duration);
     bound += std::abs(transient[n].amplitude) * std::min(2.0, phase + decay);
   }
   return bound;

@@ -33,16 +33,11 @@ struct AlphaParameters {
   double beta = 0.25 * (1.0 - alpha_m + alpha_f) * (1.0 - alpha_m + alpha_f);
 };
 
-/// Frequency and decay rate of a free vibration exp(i ω t) after time integration by generalised-alpha.
-/// The method replaces it by exp((-decay_rate + i angular_frequency) t), computed from the principal
-/// eigenvalues of the amplification matrix. Accuracy: rounding of ω, and eps ω² h of the decay rate.
-struct NumericalOscillation {
-  double angular_frequency{};  ///< rad/s
-  double decay_rate{};         ///< 1/s
-};
-/// Both quantities for the angular frequency ω (rad/s) and the time step (s).
-[[nodiscard]] NumericalOscillation generalized_alpha_oscillation(double spectral_radius,
-                                                                 double angular_frequency, double time_step);
+/// The exponent s (1/s) of the vibration exp(s t) that generalised-alpha makes of exp(i ω t) in steps of time_step (s): Im s
+/// is its angular frequency, -Re s its rate of decay. From the principal eigenvalues of the amplification matrix. Accuracy:
+/// rounding of ω, and eps ω² h of the decay rate.
+[[nodiscard]] std::complex<double> generalized_alpha_exponent(double spectral_radius,
+                                                              double angular_frequency, double time_step);
 
 /// Moduli of the eigenvalues of the amplification matrix, in descending order. The first is the spectral
 /// radius.
@@ -88,10 +83,9 @@ struct SteppedResponse {
 /// Angular frequency of a mode on the mesh, rad/s: ω_n √(1 + hermite_eigenvalue_error).
 [[nodiscard]] double frequency_on_mesh(const data::Beam& beam, const analytic::StickMode& mode, int elements);
 
-/// Frequency and decay rate of the free vibration of a mode after discretisation in space and time.
-[[nodiscard]] NumericalOscillation discrete_oscillation(const data::Beam& beam,
-                                                        const analytic::StickMode& mode,
-                                                        const data::NumericalSettings& numerics);
+/// The same exponent for the free vibration of a mode after discretisation in space and time.
+[[nodiscard]] std::complex<double> discrete_exponent(const data::Beam& beam, const analytic::StickMode& mode,
+                                                     const data::NumericalSettings& numerics);
 
 /// Predicted bound of the largest difference between two sums of free vibrations over 0 ... duration. It is
 /// summed term by term: if the phase of a mode has drifted by d and its amplitude a has decayed by the factor

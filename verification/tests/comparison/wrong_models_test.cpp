@@ -651,11 +651,10 @@ double predicted_distance(const data::Case& problem, double spectral_radius, dou
   Values stepped = right.reference;
   const analytic::StickResponse response(problem.beam, problem.excitation, 60);
   for (const auto& [amplitude, omega] : response.transient_displacement(0.5 * problem.beam.length())) {
-    const auto free = studies::generalized_alpha_oscillation(spectral_radius, omega, time_step);
+    const auto exponent = studies::generalized_alpha_exponent(spectral_radius, omega, time_step);
     for (std::size_t i = 0; i < stepped.size(); ++i) {
       const double t = right.abscissa[i];
-      stepped[i] += amplitude * (std::exp(-free.decay_rate * t) * std::sin(free.angular_frequency * t) -
-                                 std::sin(omega * t));
+      stepped[i] += amplitude * (std::exp(exponent * t).imag() - std::sin(omega * t));
     }
   }
   return right.distance(stepped, right.reference);

@@ -94,8 +94,8 @@ TEST(LongStep, HasTheErrorOfTheLeadingTermWhereItIsShort) {
     const double d = (1.0 - radius) / (1.0 + radius);
     for (const double angle : {0.02, 0.05, 0.1}) {
       const double predicted = angle * angle * (1.0 / 12.0 + 0.375 * d * d);
-      const double decay = studies::generalized_alpha_oscillation(radius, 1.0, angle).decay_rate;
-      const double lost = -std::expm1(-2.0 * std::numbers::pi * decay);
+      const double rate = studies::generalized_alpha_exponent(radius, 1.0, angle).real();
+      const double lost = -std::expm1(2.0 * std::numbers::pi * rate);
       const double error = studies::step_error(radius, 1.0, angle);
       EXPECT_GE(error, lost);
       if (error > lost) {
