@@ -32,9 +32,8 @@ constexpr std::string_view guarantee =
     "slipping; what slips at two neighbours\ncounts as slipping in between.";
 
 // The range asked for, or else `below` to `above` times the value of the case, under the buckling load.
-studies::ParameterRange range_of(const data::Case& problem, std::string_view parameter,
-                                 std::string_view option, const std::optional<std::string>& text,
-                                 double below, double above) {
+analytic::Bounds range_of(const data::Case& problem, std::string_view parameter, std::string_view option,
+                          const std::optional<std::string>& text, double below, double above) {
   if (text) return parse_range(option, parameter, *text);
   const double value = data::value_of(problem, parameter);
   return studies::range_below_buckling(problem, parameter, below * value, above * value);
@@ -42,7 +41,7 @@ studies::ParameterRange range_of(const data::Case& problem, std::string_view par
 
 // What is looked at.
 struct Ranges {
-  studies::ParameterRange band, lengths, forces;
+  analytic::Bounds band, lengths, forces;
 };
 
 Ranges ranges_of(const data::Case& problem, const DesignOptions& options) {
@@ -52,9 +51,9 @@ Ranges ranges_of(const data::Case& problem, const DesignOptions& options) {
 }
 
 // The case at the highest frequency of the band and that length.
-data::Case at_the_end_of(const data::Case& problem, const studies::ParameterRange& band, double length) {
+data::Case at_the_end_of(const data::Case& problem, const analytic::Bounds& band, double length) {
   const std::array<std::pair<std::string_view, double>, 2> values{
-      {{"excitation.frequency_hz", band.to}, {"beam.length", length}}};
+      {{"excitation.frequency_hz", band.upper}, {"beam.length", length}}};
   return data::with_values(problem, values);
 }
 
@@ -131,15 +130,15 @@ Answer design(const DesignOptions& options, Outputs& outputs) {
   data::require_rigid(problem.contact, "the design guide, whose tip is held; respond takes it");
   analytic::require_contact(problem.beam);
   const Ranges ranges = ranges_of(problem, options);
-  problem.numerics = numerics_up_to(ranges.band.to, options.problem);
-  for (const double length : {problem.beam.length(), ranges.lengths.from})
+  problem.numerics = numerics_up_to(ranges.band.upper, options.problem);
+  for (const double length : {problem.beam.length(), ranges.lengths.lower})
     studies::require_feasible(at_the_end_of(problem, ranges.band, length), studies::Inquiry::design);
   outputs.about(problem);
   outputs.open({});
   report::Progress& progress = outputs.progress();
   Answer answer =
       answer_of(problem, studies::design(
-                             problem, {ranges.band.from, ranges.band.to}, ranges.lengths, ranges.forces,
+                             problem, {ranges.band.lower, ranges.band.upper}, ranges.lengths, ranges.forces,
                              [&](std::string_view stage) { progress.stage(stage); }, std::ref(progress)));
   answer.warnings =
       warnings_of(at_the_end_of(problem, ranges.band, problem.beam.length()), studies::Inquiry::design);

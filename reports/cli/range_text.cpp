@@ -15,8 +15,6 @@ namespace stickslip::cli {
 
 namespace {
 
-using studies::ParameterRange;
-
 constexpr int most_values = 2000;  // along one axis
 
 [[noreturn]] void fail_unless(std::string_view allowed, std::string_view option, std::string_view part,
@@ -32,8 +30,8 @@ double number_in(std::string_view option, std::string_view part, std::string_vie
   return *value;
 }
 
-ParameterRange range_of(std::string_view option, const data::Key& key, std::string_view from,
-                        std::string_view to, bool zero, bool equal) {
+analytic::Bounds range_of(std::string_view option, const data::Key& key, std::string_view from,
+                          std::string_view to, bool zero, bool equal) {
   const double lower = number_in(option, "FROM", from, key.magnitudes.unit),
                upper = number_in(option, "TO", to, key.magnitudes.unit);
   if (!std::isfinite(lower) || lower < 0.0 || (lower == 0.0 && !zero))
@@ -68,7 +66,8 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
   return parts;
 }
 
-ParameterRange parse_range(std::string_view option, std::string_view key, std::string_view text, bool equal) {
+analytic::Bounds parse_range(std::string_view option, std::string_view key, std::string_view text,
+                             bool equal) {
   const auto parts = split(text, ':');
   if (parts.size() != 2) fail_unless("FROM:TO", option, "the range", text);
   return range_of(option, data::key_named(key), parts[0], parts[1], false, equal);
@@ -105,11 +104,11 @@ studies::MapAxis parse_axis(std::string_view option, std::string_view text) {
     fail_unless("PARAMETER=FROM:TO:COUNT or PARAMETER=FROM:TO:COUNT:log", option, "the axis", text);
   const data::Key& key = axis_named(option, text.substr(0, equals));
   const bool zero = key.axis.may_be_zero && !logarithmic;
-  const ParameterRange range = range_of(option, key, parts[0], parts[1], zero, false);
+  const analytic::Bounds range = range_of(option, key, parts[0], parts[1], zero, false);
   const auto count = parse<int>(parts[2]);
   if (!count || *count < 2 || *count > most_values)
     fail_unless(fmt::format("an integer from 2 to {}", most_values), option, "COUNT", parts[2]);
-  return studies::map_axis(key.path, range.from, range.to, *count, logarithmic);
+  return studies::map_axis(key.path, range.lower, range.upper, *count, logarithmic);
 }
 
 std::map<std::string, double> parse_tolerances(const std::vector<std::string>& texts) {

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "studies/analyses/criterion_map.hpp"
-#include "studies/analyses/design_guide.hpp"
 
 namespace stickslip::cli {
 
@@ -20,8 +19,8 @@ namespace stickslip::cli {
 
 /// "FROM:TO", two finite numbers above 0 with FROM below TO or, if they may be `equal`, not above it; of the magnitude that a case may
 /// have at the key, in SI units unless with a unit.
-[[nodiscard]] studies::ParameterRange parse_range(std::string_view option, std::string_view key,
-                                                  std::string_view text, bool equal = false);
+[[nodiscard]] analytic::Bounds parse_range(std::string_view option, std::string_view key,
+                                           std::string_view text, bool equal = false);
 
 /// So many values in equal steps from end to end of such a range.
 [[nodiscard]] std::vector<double> parse_values(std::string_view option, std::string_view key,

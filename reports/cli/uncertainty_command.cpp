@@ -150,9 +150,9 @@ Answer slip_probability(const UncertaintyOptions& given, Outputs& outputs) {
   const data::Uncertainty uncertainty = studies::without(data::read_uncertainty(file), overrides);
   if (options.band) {
     const auto band = parse_range("--band", "excitation.frequency_hz", *options.band, true);
-    options.sampling.band = analytic::FrequencyBand{band.from, band.to};
-    problem.numerics = numerics_up_to(band.to, options.problem);
-    problem = data::with_value(problem, "excitation.frequency_hz", band.to);
+    options.sampling.band = analytic::FrequencyBand{band.lower, band.upper};
+    problem.numerics = numerics_up_to(band.upper, options.problem);
+    problem = data::with_value(problem, "excitation.frequency_hz", band.upper);
   }
   const auto inquiry = options.band ? studies::Inquiry::design : studies::Inquiry::criterion;
   studies::require_feasible(problem, inquiry);

@@ -112,12 +112,12 @@ class Scan {
   }
 
   // Values at which a natural frequency is at an end of the band, and values at most 1 % apart.
-  [[nodiscard]] std::vector<double> grid(const ParameterRange& range) const {
-    std::vector<double> values{range.from};
-    const int steps = static_cast<int>(std::ceil(std::log(range.to / range.from) / spacing));
+  [[nodiscard]] std::vector<double> grid(const analytic::Bounds& range) const {
+    std::vector<double> values{range.lower};
+    const int steps = static_cast<int>(std::ceil(std::log(range.upper / range.lower) / spacing));
     for (int i = 1; i < steps; ++i)
-      values.push_back(range.from * std::pow(range.to / range.from, static_cast<double>(i) / steps));
-    values.push_back(range.to);
+      values.push_back(range.lower * std::pow(range.upper / range.lower, static_cast<double>(i) / steps));
+    values.push_back(range.upper);
     for (int mode = 1; mode <= problem_.numerics.modes(); ++mode)
       for (const double hz : {band_.from_hz, band_.to_hz})
         if (const auto value = value_at_resonance(range, mode, hz)) values.push_back(*value);
@@ -128,12 +128,12 @@ class Scan {
 
  private:
   // Natural frequencies decrease with increasing length and with increasing axial force.
-  [[nodiscard]] std::optional<double> value_at_resonance(const ParameterRange& range, int mode,
+  [[nodiscard]] std::optional<double> value_at_resonance(const analytic::Bounds& range, int mode,
                                                          double hz) const {
     const auto natural_hz = [&](double value) {
       return stick_hz(with_value(problem_, parameter_, value).beam, mode);
     };
-    double low = range.from, high = range.to;
+    double low = range.lower, high = range.upper;
     if (natural_hz(low) < hz || natural_hz(high) > hz) return std::nullopt;
     while (high - low > 1e-14 * high) {
       const double middle = 0.5 * (low + high);
@@ -226,19 +226,19 @@ BandMargin band_margin(const data::Case& problem, const analytic::FrequencyBand&
   return margin;
 }
 
-DesignScan design_scan(const data::Case& problem, std::string_view parameter, const ParameterRange& range,
+DesignScan design_scan(const data::Case& problem, std::string_view parameter, const analytic::Bounds& range,
                        const analytic::FrequencyBand& band, const std::function<void(double)>& progress) {
-  if (!(range.from > 0.0 && range.from < range.to))
+  if (!(range.lower > 0.0 && range.lower < range.upper))
     throw data::FieldError("the range of " + std::string(parameter),
-                           data::shortest_text(range.from) + " to " + data::shortest_text(range.to),
+                           data::shortest_text(range.lower) + " to " + data::shortest_text(range.upper),
                            "from a number above 0 to a larger one");
   require_margin(problem);
   const double buckling = buckling_value(problem, parameter);
-  const double last = std::min(range.to, below_buckling * buckling);
-  DesignScan result{.parameter = parameter, .accuracy = relative_accuracy * range.to, .intervals = {}};
-  if (range.from < last) {
+  const double last = std::min(range.upper, below_buckling * buckling);
+  DesignScan result{.parameter = parameter, .accuracy = relative_accuracy * range.upper, .intervals = {}};
+  if (range.lower < last) {
     const Scan scan(problem, parameter, band, last_share * result.accuracy);
-    const std::vector<double> values = scan.grid({range.from, last});
+    const std::vector<double> values = scan.grid({range.lower, last});
     std::vector<std::optional<Candidate>> candidates(values.size());
     in_parallel(
         values.size(),
@@ -261,13 +261,13 @@ DesignScan design_scan(const data::Case& problem, std::string_view parameter, co
         });
     result.intervals = joined(parts, is_one_frequency(band));
   }
-  if (range.to > last)
-    result.intervals.push_back({.from = std::max(range.from, last), .to = range.to, .buckled = true});
+  if (range.upper > last)
+    result.intervals.push_back({.from = std::max(range.lower, last), .to = range.upper, .buckled = true});
   return result;
 }
 
-Design design(const data::Case& problem, const analytic::FrequencyBand& band, const ParameterRange& lengths,
-              const ParameterRange& forces, const std::function<void(std::string_view)>& stage,
+Design design(const data::Case& problem, const analytic::FrequencyBand& band, const analytic::Bounds& lengths,
+              const analytic::Bounds& forces, const std::function<void(std::string_view)>& stage,
               const std::function<void(double)>& progress) {
   Design result{.band = band, .margin = {}, .lengths = {}, .forces = {}};
   stage("margin");
@@ -281,8 +281,8 @@ Design design(const data::Case& problem, const analytic::FrequencyBand& band, co
   return result;
 }
 
-ParameterRange range_below_buckling(const data::Case& problem, std::string_view parameter, double from,
-                                    double to) {
+analytic::Bounds range_below_buckling(const data::Case& problem, std::string_view parameter, double from,
+                                      double to) {
   return {from, std::min(to, 0.999 * buckling_value(problem, parameter))};
 }
 

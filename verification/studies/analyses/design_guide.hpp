@@ -46,11 +46,6 @@ STICKSLIP_MEMBERS(BandMargin, (force_max, "N"), (friction_limit, "N"), (margin, 
 [[nodiscard]] BandMargin band_margin(const data::Case& problem, const analytic::FrequencyBand& band,
                                      double relative_width = 1e-6);
 
-/// A range of a parameter in SI units.
-struct ParameterRange {
-  double from{}, to{};
-};
-
 /// An interval of a parameter in which the beam sticks over the whole band, or does not.
 struct DesignInterval {
   double from{}, to{};
@@ -87,7 +82,7 @@ STICKSLIP_MEMBERS(DesignScan, (accuracy), (intervals))
 /// the completed fraction. Throws what band_margin() throws, data::FieldError unless 0 < from < to, and
 /// std::invalid_argument for another parameter.
 [[nodiscard]] DesignScan design_scan(const data::Case& problem, std::string_view parameter,
-                                     const ParameterRange& range, const analytic::FrequencyBand& band,
+                                     const analytic::Bounds& range, const analytic::FrequencyBand& band,
                                      const std::function<void(double)>& progress = {});
 
 /// The result of the guideline for a beam: the margin over a band, and the scans of lengths and forces.
@@ -101,14 +96,14 @@ STICKSLIP_MEMBERS(Design, (band, "Hz"), (margin), (lengths), (forces))
 /// `stage` and `progress` receive what is being done and the completed fraction. Throws what band_margin() and design_scan()
 /// throw.
 [[nodiscard]] Design design(const data::Case& problem, const analytic::FrequencyBand& band,
-                            const ParameterRange& lengths, const ParameterRange& forces,
+                            const analytic::Bounds& lengths, const analytic::Bounds& forces,
                             const std::function<void(std::string_view)>& stage,
                             const std::function<void(double)>& progress);
 
 /// The range from `from` to `to`, or to just below the buckling value of the case if that is smaller. Throws
 /// what buckling_value() throws.
-[[nodiscard]] ParameterRange range_below_buckling(const data::Case& problem, std::string_view parameter,
-                                                  double from, double to);
+[[nodiscard]] analytic::Bounds range_below_buckling(const data::Case& problem, std::string_view parameter,
+                                                    double from, double to);
 
 /// The length or the axial force at which the beam of the case, the other being as it is, has no stick state
 /// any more. Throws std::invalid_argument for another parameter, data::InputError, naming beam.axial_force,

@@ -287,9 +287,9 @@ TEST(DesignScan, OfALengthOverBucklingSaysSo) {
   const auto range = [&](double to) {
     return studies::range_below_buckling(problem, "beam.length", 0.4, to);
   };
-  EXPECT_EQ(range(2.0 * longest).from, 0.4);
-  EXPECT_DOUBLE_EQ(range(2.0 * longest).to, 0.999 * longest);
-  EXPECT_EQ(range(0.9 * longest).to, 0.9 * longest);
+  EXPECT_EQ(range(2.0 * longest).lower, 0.4);
+  EXPECT_DOUBLE_EQ(range(2.0 * longest).upper, 0.999 * longest);
+  EXPECT_EQ(range(0.9 * longest).upper, 0.9 * longest);
   EXPECT_THROW((void)studies::buckling_value(with_value(problem, "beam.axial_force", 0.0), "beam.length"),
                data::InputError);
 }
@@ -298,7 +298,7 @@ TEST(DesignScan, RefusesAnotherParameterAndARangeThatFalls) {
   const data::Case problem = flat_case();
   EXPECT_THROW((void)studies::design_scan(problem, "excitation.frequency_hz", {1.0, 2.0}, {25.0, 25.0}),
                std::invalid_argument);
-  for (const auto& range : {studies::ParameterRange{2.0, 1.0}, {1.0, 1.0}, {0.0, 1.0}})
+  for (const auto& range : {analytic::Bounds{2.0, 1.0}, {1.0, 1.0}, {0.0, 1.0}})
     EXPECT_TRUE(error_message_of<data::FieldError>([&] {
                   (void)studies::design_scan(problem, "beam.length", range, {25.0, 25.0});
                 }).ends_with("from a number above 0 to a larger one"));
