@@ -117,11 +117,13 @@ std::string map_text(const data::Case& problem, const std::vector<double>& speed
                      const std::vector<double>& ratios, report::Progress& progress) {
   progress.stage("making the map");
   report::CsvTable table("Fastest growth of a disturbance of steady sliding, " + problem.name,
-                         {{"speed", "m/s"}, {"damping_ratio", "1"}, {"growth", "1/s"}, {"state", "-"}});
+                         "speed [m/s], damping_ratio [1], growth [1/s], state [-]");
   for (std::size_t i = 0; i < ratios.size(); ++i) {
-    for (const auto& [speed, ratio, growth] : studies::squeal_map(problem, speeds, {ratios[i]}))
-      table.add_row({report::csv_number(speed), report::csv_number(ratio), report::csv_number(growth),
-                     growth > 0.0 ? "unstable" : "stable"});
+    const std::vector<double> growths = studies::sliding_growths(problem, speeds, ratios[i]);
+    for (std::size_t j = 0; j < speeds.size(); ++j) {
+      table.add(speeds[j]).add(ratios[i]).add(growths[j]);
+      table.add(growths[j] > 0.0 ? "unstable" : "stable").end_row();
+    }
     table.end_grid_line();
     progress(static_cast<double>(i + 1) / static_cast<double>(ratios.size()));
   }

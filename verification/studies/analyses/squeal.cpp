@@ -125,19 +125,17 @@ Squeal squeal_of(const data::Case& problem, int modes) {
   return squeal;
 }
 
-std::vector<SquealGrowth> squeal_map(const data::Case& problem, const std::vector<double>& speeds,
-                                     const std::vector<double>& ratios) {
-  std::vector<SquealGrowth> map;
+std::vector<double> sliding_growths(const data::Case& problem, const std::vector<double>& speeds,
+                                    double damping_ratio) {
   data::Case changed = problem;
-  for (const double ratio : ratios) {
-    changed.damping = data::Damping({.kelvin_voigt = problem.damping.kelvin_voigt(), .ratio = ratio});
-    const analytic::ContactModel model = response_model(changed);
-    for (const double speed : speeds) {
-      const double slope = analytic::falling_slope(problem.friction, problem.beam.axial_force(), speed);
-      map.push_back({speed, ratio, analytic::sliding_eigenvalues(model, slope).front().real()});
-    }
+  changed.damping = data::Damping({.kelvin_voigt = problem.damping.kelvin_voigt(), .ratio = damping_ratio});
+  const analytic::ContactModel model = response_model(changed);
+  std::vector<double> growths;
+  for (const double speed : speeds) {
+    const double slope = analytic::falling_slope(problem.friction, problem.beam.axial_force(), speed);
+    growths.push_back(analytic::sliding_eigenvalues(model, slope).front().real());
   }
-  return map;
+  return growths;
 }
 
 namespace {

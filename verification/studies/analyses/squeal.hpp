@@ -54,14 +54,10 @@ struct Squeal {
 /// sliding beam has no `modes` natural frequencies (flutter or buckling).
 [[nodiscard]] Squeal squeal_of(const data::Case& problem, int modes);
 
-/// The largest real part of the eigenvalues of sliding at a speed of the wall (m/s) and a damping ratio, 1/s.
-struct SquealGrowth {
-  double speed{}, ratio{}, growth{};
-};
-/// The growth with numerics.modes modes, over the speeds and, from one to the next, the ratios.
-[[nodiscard]] std::vector<SquealGrowth> squeal_map(const data::Case& problem,
-                                                   const std::vector<double>& speeds,
-                                                   const std::vector<double>& ratios);
+/// The largest real part of the eigenvalues of sliding with numerics.modes modes and a damping ratio, 1/s, at each speed of the
+/// wall (m/s).
+[[nodiscard]] std::vector<double> sliding_growths(const data::Case& problem,
+                                                  const std::vector<double>& speeds, double damping_ratio);
 
 /// A periodic motion of a case by shooting, with numerics.modes modes.
 struct Cycle {
