@@ -73,8 +73,7 @@ double first_maximum(std::span<const double> values, std::size_t from) {
   return std::numeric_limits<double>::quiet_NaN();
 }
 
-}  // namespace
-
+// The middle one of the values in their order, the upper one of two; not a number for none.
 double median_of(std::vector<double> values) {
   if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -82,14 +81,8 @@ double median_of(std::vector<double> values) {
   return *middle;
 }
 
-double noise_of(std::span<const double> values) {
-  std::vector<double> differences;
-  for (std::size_t i = 3; i < values.size(); ++i)
-    differences.push_back(std::abs(values[i] - 3.0 * values[i - 1] + 3.0 * values[i - 2] - values[i - 3]));
-  // 0.6745: the median of |x| of a standard normal x; 20 = 1 + 9 + 9 + 1.
-  return median_of(std::move(differences)) / (0.6745 * std::sqrt(20.0));
-}
-
+// The median of the `width` values around each value; at the ends of the first or last ones. It takes out impulses and keeps
+// steps.
 std::vector<double> running_median(std::span<const double> values, std::size_t width) {
   width = std::min(width, values.size());
   std::vector<double> medians;
@@ -99,6 +92,16 @@ std::vector<double> running_median(std::span<const double> values, std::size_t w
     medians.push_back(median_of({window.begin(), window.end()}));
   }
   return medians;
+}
+
+}  // namespace
+
+double noise_of(std::span<const double> values) {
+  std::vector<double> differences;
+  for (std::size_t i = 3; i < values.size(); ++i)
+    differences.push_back(std::abs(values[i] - 3.0 * values[i - 1] + 3.0 * values[i - 2] - values[i - 3]));
+  // 0.6745: the median of |x| of a standard normal x; 20 = 1 + 9 + 9 + 1.
+  return median_of(std::move(differences)) / (0.6745 * std::sqrt(20.0));
 }
 
 std::vector<std::size_t> turning_points(std::span<const double> values, double threshold) {
@@ -119,31 +122,6 @@ std::vector<std::size_t> turning_points(std::span<const double> values, double t
     }
   }
   return points;
-}
-
-std::vector<Cycle> cycles_of(const Record& record, double threshold) {
-  const std::span<const double> force = record.force;
-  const std::vector<std::size_t> points = turning_points(force, threshold);
-  if (points.size() < 3) return {};
-  std::vector<double> periods;
-  for (std::size_t i = 0; i + 2 < points.size(); i += 2)
-    periods.push_back(record.time[points[i + 2]] - record.time[points[i]]);
-  const double longest = 0.05 * median_of(periods);
-  std::vector<Cycle> cycles;
-  for (std::size_t i = 0; i + 2 < points.size(); i += 2) {
-    const auto [top, bottom, next] = std::tuple(points[i], points[i + 1], points[i + 2]);
-    double gap = 0.0;
-    for (std::size_t j = top; j < next; ++j) gap = std::max(gap, record.time[j + 1] - record.time[j]);
-    if (gap > longest) continue;
-    cycles.push_back(
-        {.begin = record.time[top],
-         .period = record.time[next] - record.time[top],
-         .highest = force[top],
-         .lowest = force[bottom],
-         .fall_time = fall_time(record, force, top, bottom),
-         .rise_rate = (force[next] - force[bottom]) / (record.time[next] - record.time[bottom])});
-  }
-  return cycles;
 }
 
 Figure mean_of(std::span<const double> values, double resolution) {
@@ -174,6 +152,40 @@ Figure period_by_autocorrelation(const Record& record, double guess) {
 }
 
 namespace {
+
+// From one maximum of the force to the next.
+struct Cycle {
+  double period{};     // s
+  double highest{};    // the maximum at the begin
+  double lowest{};     // the minimum that follows
+  double fall_time{};  // from 90 to 10 % of the way between them, s
+  double rise_rate{};  // the mean rate from the minimum to the next maximum, 1/s
+};
+
+// The cycles of the force between its turning points. A cycle with a gap in time of more than a twentieth of the median period is left out.
+std::vector<Cycle> cycles_of(const Record& record, double threshold) {
+  const std::span<const double> force = record.force;
+  const std::vector<std::size_t> points = turning_points(force, threshold);
+  if (points.size() < 3) return {};
+  std::vector<double> periods;
+  for (std::size_t i = 0; i + 2 < points.size(); i += 2)
+    periods.push_back(record.time[points[i + 2]] - record.time[points[i]]);
+  const double longest = 0.05 * median_of(periods);
+  std::vector<Cycle> cycles;
+  for (std::size_t i = 0; i + 2 < points.size(); i += 2) {
+    const auto [top, bottom, next] = std::tuple(points[i], points[i + 1], points[i + 2]);
+    double gap = 0.0;
+    for (std::size_t j = top; j < next; ++j) gap = std::max(gap, record.time[j + 1] - record.time[j]);
+    if (gap > longest) continue;
+    cycles.push_back(
+        {.period = record.time[next] - record.time[top],
+         .highest = force[top],
+         .lowest = force[bottom],
+         .fall_time = fall_time(record, force, top, bottom),
+         .rise_rate = (force[next] - force[bottom]) / (record.time[next] - record.time[bottom])});
+  }
+  return cycles;
+}
 
 // The mean of a value of the cycles. Half of what a second count of the cycles changes is uncertain.
 Figure compared_mean(const std::vector<Cycle>& cycles, const std::vector<Cycle>& fewer,

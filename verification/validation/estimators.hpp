@@ -20,19 +20,6 @@ struct Figure {
   std::size_t count{};
 };
 
-/// From one maximum of the force to the next.
-struct Cycle {
-  double begin{};      ///< s
-  double period{};     ///< s
-  double highest{};    ///< the maximum at the begin
-  double lowest{};     ///< the minimum that follows
-  double fall_time{};  ///< from 90 to 10 % of the way between them, s
-  double rise_rate{};  ///< the mean rate from the minimum to the next maximum, 1/s
-};
-
-/// The middle one of the values in their order, the upper one of two; not a number for none.
-[[nodiscard]] double median_of(std::vector<double> values);
-
 /// The indices of maxima and minima in turn, a maximum first. A point counts once the values have come back from it by
 /// `threshold`.
 [[nodiscard]] std::vector<std::size_t> turning_points(std::span<const double> values, double threshold);
@@ -40,13 +27,6 @@ struct Cycle {
 /// The standard deviation of the noise that differs from sample to sample, by the median of |f_(i+3) - 3 f_(i+2) + 3 f_(i+1) - f_i|:
 /// neither impulses nor a smooth signal of 20 samples a period or more count.
 [[nodiscard]] double noise_of(std::span<const double> values);
-
-/// The median of the `width` values around each value; at the ends of the first or last ones. It takes out impulses and keeps
-/// steps.
-[[nodiscard]] std::vector<double> running_median(std::span<const double> values, std::size_t width);
-
-/// The cycles of the force between its turning points. A cycle with a gap in time of more than a twentieth of the median period is left out.
-[[nodiscard]] std::vector<Cycle> cycles_of(const Record& record, double threshold);
 
 /// The mean of values in the order of time. Its uncertainty is the larger one of that of independent values and that of the
 /// means of eight blocks, so that a drift counts, joined with `resolution`. Infinite for fewer than two values.
