@@ -275,11 +275,6 @@ class Comparer {
     return 1.0;
   }
 
-  [[nodiscard]] Scales scales_of(const Comparison::Quantity& quantity, const Group& group) const {
-    const Norm level = quantity.norm == Norm::range ? Norm::range : Norm::scale;
-    return {scale_of(quantity.name, quantity.norm, group), scale_of(quantity.name, level, group)};
-  }
-
   void skip_in_all(const std::string& reason) {
     for (Comparison::Quantity& quantity : result_.quantities) skip(quantity, reason);
   }
@@ -303,7 +298,7 @@ class Comparer {
       const auto& values = reference_.column(quantity.name).values;
       const auto& their_values = theirs_.column(quantity.name)->values;
       const auto radius = reference_.radius_of(quantity.name);
-      const Scales scales = scales_of(quantity, group);
+      const double scale = scale_of(quantity.name, quantity.norm, group);
       for (const Pair& pair : pairs) {
         const double abscissa = result_.abscissa.empty()
                                     ? static_cast<double>(pair.row + 1)
@@ -312,7 +307,7 @@ class Comparer {
         judge(quantity,
               {abscissa, is_event_time ? pair.their_time : Interpolated{their_values[pair.their_row], 0.0},
                Interpolated{values[pair.row], radius[pair.row]}},
-              scales, where(pair));
+              scale, where(pair));
       }
     }
   }
@@ -451,9 +446,9 @@ class Comparer {
   void compare_samples(Comparison::Quantity& quantity, const Group& group, const Rows& rows,
                        const Rows& their_rows, const Grid& grid) {
     if (their_rows.empty()) return;
-    const Scales scales = scales_of(quantity, group);
+    const double scale = scale_of(quantity.name, quantity.norm, group);
     const Samples reference = samples_of(quantity.name, rows);
-    const Samples theirs = their_samples_of(quantity, their_rows, scales.norm);
+    const Samples theirs = their_samples_of(quantity, their_rows, scale);
     const ComparedSamples found =
         rule_.interpolation
             ? by_stated_interpolation(reference, theirs, *rule_.interpolation,
@@ -462,7 +457,7 @@ class Comparer {
     for (std::size_t i = 0; i < found.between; ++i) skip(quantity, between_samples);
     for (std::size_t i = 0; i < found.past_last; ++i) skip(quantity, past_last_sample);
     for (const ComparedSample& point : found.points)
-      judge(quantity, point, scales, where_of(group, point.abscissa));
+      judge(quantity, point, scale, where_of(group, point.abscissa));
   }
 
   // The user's rows of a group up to the horizon and in the range of the reference. The others are counted as

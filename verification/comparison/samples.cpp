@@ -166,7 +166,7 @@ void skip(Comparison::Quantity& quantity, const std::string& reason) {
     ++known->second;
 }
 
-void judge(Comparison::Quantity& quantity, const ComparedSample& point, const Scales& scales,
+void judge(Comparison::Quantity& quantity, const ComparedSample& point, double scale,
            const std::string& where) {
   if (!point.reference || !std::isfinite(point.reference->value))
     return skip(quantity, "without a value in the data set");
@@ -174,7 +174,7 @@ void judge(Comparison::Quantity& quantity, const ComparedSample& point, const Sc
                theirs = is_angle(quantity.unit, quantity.norm) ? nearest_angle(point.theirs.value, reference)
                                                                : point.theirs.value,
                half_width = point.reference->half_width + point.theirs.half_width,
-               unit = unit_of(quantity.norm, reference, scales.norm);
+               unit = unit_of(quantity.norm, reference, scale);
   Comparison::Series& series = quantity.series.back();
   series.abscissa.push_back(point.abscissa);
   series.theirs.push_back(theirs);
@@ -185,7 +185,7 @@ void judge(Comparison::Quantity& quantity, const ComparedSample& point, const Sc
 
   const double distance = std::abs(theirs - reference), error = distance / unit,
                uncertainty = half_width / unit;
-  quantity.scaled_error = std::max(quantity.scaled_error, (distance - half_width) / scales.level);
+  quantity.scaled_error = std::max(quantity.scaled_error, (distance - half_width) / scale);
   quantity.is_strict = quantity.is_strict && uncertainty <= quantity.own_tolerance &&
                        error <= quantity.own_tolerance + uncertainty;
   const bool differs = error > quantity.tolerance + uncertainty;

@@ -80,14 +80,9 @@ struct ComparedSamples {
 /// Counts a point that was not compared.
 void skip(Comparison::Quantity& quantity, const std::string& reason);
 
-/// What errors of a group are measured by: in the norm of the quantity, and on the ladder of levels.
-struct Scales {
-  double norm{}, level{};
-};
-
 /// Adds the point to the last series and updates the result of the quantity; skips it where the reference has no
-/// value.
-void judge(Comparison::Quantity& quantity, const ComparedSample& point, const Scales& scales,
+/// value. `scale` is that of the group, for norms that have one and for the level.
+void judge(Comparison::Quantity& quantity, const ComparedSample& point, double scale,
            const std::string& where);
 
 /// The index in level_names.

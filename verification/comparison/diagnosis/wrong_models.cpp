@@ -296,27 +296,23 @@ const std::vector<double>& history_of(const studies::TipRun& run, Quantity quant
   }
 }
 
-studies::TipRun run_of(const WrongModelRecipe& model, const data::Case& problem, double normal_force,
-                       const studies::RunEnd& end) {
-  const MeshedBeam beam = meshed_beam(model, problem, normal_force);
-  const auto base = model.base(problem.excitation);
-  return model.law ? studies::tip_run(beam.system, base, problem.numerics, *model.law, end)
-                   : studies::tip_run(beam.system, base, problem.numerics, model.start, end);
-}
-
 // The run, which several quantities ask for. The last runs are kept.
 std::shared_ptr<const studies::TipRun> kept_run(const WrongModelRecipe& model, const data::Case& problem,
-                                                double normal_force, const studies::RunEnd& end) {
+                                                double normal_force, double end, std::size_t events) {
   constexpr std::size_t most = 256;
   static std::mutex mutex;
   static std::map<std::string, std::shared_ptr<const studies::TipRun>> kept;
-  std::string key = fmt::format("{} {} {} {}", model.wrong_model.name, normal_force, end.time, end.events);
+  std::string key = fmt::format("{} {} {} {}", model.wrong_model.name, normal_force, end, events);
   for (const auto& [path, number] : data::numbers_of(problem)) key += fmt::format(" {}", number);
   {
     const std::scoped_lock lock(mutex);
     if (const auto found = kept.find(key); found != kept.end()) return found->second;
   }
-  auto run = std::make_shared<const studies::TipRun>(run_of(model, problem, normal_force, end));
+  const MeshedBeam beam = meshed_beam(model, problem, normal_force);
+  const auto base = model.base(problem.excitation);
+  auto run = std::make_shared<const studies::TipRun>(
+      model.law ? studies::tip_run(beam.system, base, problem.numerics, *model.law, end, events)
+                : studies::tip_run(beam.system, base, problem.numerics, model.start, end, events));
   const std::scoped_lock lock(mutex);
   if (kept.size() >= most) kept.clear();
   return kept[key] = std::move(run);
@@ -326,11 +322,11 @@ OptionalValues stick_slip_values(const WrongModelRecipe& model, const data::Case
                                  double normal_force, Quantity quantity,
                                  const std::vector<double>& abscissa) {
   if (!model.knows_stick_slip) return std::nullopt;
-  const studies::RunEnd end =
+  const auto kept =
       quantity == contact_event
-          ? studies::RunEnd{problem.numerics.duration(), static_cast<std::size_t>(highest(abscissa))}
-          : studies::RunEnd{std::ranges::max(abscissa)};
-  const auto kept = kept_run(model, problem, normal_force, end);
+          ? kept_run(model, problem, normal_force, problem.numerics.duration(),
+                     static_cast<std::size_t>(highest(abscissa)))
+          : kept_run(model, problem, normal_force, std::ranges::max(abscissa), studies::every_event);
   const studies::TipRun& run = *kept;
   return at_each(abscissa, [&](double x) {
     if (quantity == contact_event) {

@@ -237,7 +237,7 @@ std::vector<double> stepped(const StickSum& sum, const ModalScheme& scheme,
 }
 
 TipRun tip_run(const solver::ContactSystem& system, const solver::PrescribedMotion& base,
-               const data::NumericalSettings& numerics, Start start, const RunEnd& end) {
+               const data::NumericalSettings& numerics, Start start, double end, std::size_t events) {
   solver::StickSlipIntegrator run(system, {.time_step = numerics.time_step(),
                                            .spectral_radius = numerics.spectral_radius(),
                                            .velocity_threshold = numerics.velocity_threshold()});
@@ -249,19 +249,20 @@ TipRun tip_run(const solver::ContactSystem& system, const solver::PrescribedMoti
       velocity[i] = system.wall.velocity(0.0);
   run.start_stuck(system.wall.displacement(0.0) * shape, velocity);
   TipRun result{.step = numerics.time_step()};
-  const long steps = std::lround(std::ceil(end.time / result.step - 1e-6));
+  const long steps = std::lround(std::ceil(end / result.step - 1e-6));
   for (long n = 0; n <= steps; ++n) {
     if (n > 0) run.step();
     add_sample(result, system.contact, base, run.time(), run.displacement(), run.velocity(),
                run.friction_force());
-    if (run.events().size() >= end.events && event_times(run.events()).size() >= end.events) break;
+    if (run.events().size() >= events && event_times(run.events()).size() >= events) break;
   }
   result.events = event_times(run.events());
   return result;
 }
 
 TipRun tip_run(const solver::ContactSystem& system, const solver::PrescribedMotion& base,
-               const data::NumericalSettings& numerics, const FrictionRule& law, const RunEnd& end) {
+               const data::NumericalSettings& numerics, const FrictionRule& law, double end,
+               std::size_t events) {
   constexpr int substeps = 10;
   const double h = numerics.time_step() / substeps;
   const Eigen::Index c = system.contact;
@@ -281,8 +282,8 @@ TipRun tip_run(const solver::ContactSystem& system, const solver::PrescribedMoti
   TipRun result{.step = numerics.time_step()};
   add_sample(result, c, base, 0.0, q, v, 0.0);
   bool sliding = false;
-  const long steps = substeps * std::lround(std::ceil(end.time / result.step - 1e-6));
-  for (long n = 0; n < steps && result.events.size() < end.events; ++n) {
+  const long steps = substeps * std::lround(std::ceil(end / result.step - 1e-6));
+  for (long n = 0; n < steps && result.events.size() < events; ++n) {
     const double now = static_cast<double>(n) * h, next = static_cast<double>(n + 1) * h;
     free.noalias() =
         from_velocity * v + from_displacement * q + system.load_history(0.5 * (now + next)) * from_load;

@@ -88,11 +88,7 @@ struct ModalScheme {
 
 // Stick-slip runs of the tip for arbitrary matrices, loads and contact laws. They also compute wrong models.
 
-/// The end of a run: at `time`, or at the change of contact number `events`, whichever is first.
-struct RunEnd {
-  double time{};  ///< s
-  std::size_t events{std::numeric_limits<std::size_t>::max()};
-};
+constexpr std::size_t every_event = std::numeric_limits<std::size_t>::max();
 
 /// The history of the tip, sampled at the time step, and its events.
 struct TipRun {
@@ -109,9 +105,10 @@ struct TipRun {
 enum class Start { quasi_static, with_the_base, at_rest };
 
 /// A run by the integrator of the solver with located changes. The beam starts with the quasi-static shape to the
-/// displacement of the base.
+/// displacement of the base. The run ends at `end` (s), or at the change of contact number `events`, whichever is first.
 [[nodiscard]] TipRun tip_run(const solver::ContactSystem& system, const solver::PrescribedMotion& base,
-                             const data::NumericalSettings& numerics, Start start, const RunEnd& end);
+                             const data::NumericalSettings& numerics, Start start, double end,
+                             std::size_t events = every_event);
 
 /// A contact law of one's own: the coefficient of friction against a sliding velocity v, f_d = -c(v) N, odd
 /// or not, and whether a tip at rest is held by up to μ_s N.
@@ -125,7 +122,7 @@ struct FrictionRule {
 /// is possible with |f| ≤ μ_s N. Otherwise v_s is the root of v + m N c(v) = v_free, by bisection. The
 /// method has first order in the step, which is a tenth of the time step of the case.
 [[nodiscard]] TipRun tip_run(const solver::ContactSystem& system, const solver::PrescribedMotion& base,
-                             const data::NumericalSettings& numerics, const FrictionRule& law,
-                             const RunEnd& end);
+                             const data::NumericalSettings& numerics, const FrictionRule& law, double end,
+                             std::size_t events = every_event);
 
 }  // namespace stickslip::studies

@@ -487,7 +487,7 @@ TEST(WrongModel, WithALawOfItsOwnTakesTenSubstepsOfTheMidpointRule) {
   const studies::FrictionRule none{[](const data::FrictionLaw&, double) { return 0.0; }, false};
   const data::NumericalSettings numerics({20, 0.2, 0.9, 0.0, 10, 10.0});
   const auto run = tip_run(system, {[](double t) { return t * t; }, [](double t) { return 2.0 * t; }, {}},
-                           numerics, none, {1.0});
+                           numerics, none, 1.0);
   EXPECT_EQ(run.events, Values{0.02});  // it never sticks
   ASSERT_EQ(run.tip_displacement.size(), 6u);
   const std::complex<double> s(-0.2, std::sqrt(25.0 - 0.04)), factor = (1.0 + 0.01 * s) / (1.0 - 0.01 * s);
@@ -509,8 +509,8 @@ TEST(WrongModel, OfAMassOnABeltRunsByEitherMethod) {
   const Values expected{0.4, 0.4 + slip, 0.4 + slip + stick, 0.4 + 2.0 * slip + stick};
   const auto& law = *comparison::recipe_of("kinetic-friction-at-once").law;
   constexpr auto start = studies::Start::quasi_static;
-  for (const auto& run : {studies::tip_run(system, at_rest(), numerics, start, {10.0, 4}),
-                          studies::tip_run(system, at_rest(), numerics, law, {10.0, 4})}) {
+  for (const auto& run : {studies::tip_run(system, at_rest(), numerics, start, 10.0, 4),
+                          studies::tip_run(system, at_rest(), numerics, law, 10.0, 4)}) {
     ASSERT_EQ(run.events.size(), 4u);
     for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(run.events[i], expected[i], 4e-4);
     EXPECT_LT(run.tip_displacement.size(), 2713u);  // it ends with the last of them, at 2.7095 s
