@@ -324,7 +324,7 @@ std::filesystem::path find_case(const std::string& name_or_path) {
   if (is_name && is_file(published_case(name_or_path))) return published_case(name_or_path);
   if (is_file(name_or_path)) return name_or_path;
   std::vector<std::string> names;
-  for (const auto& listing : list_cases()) names.push_back(listing.name);
+  for (const auto& [name, title] : list_cases()) names.push_back(name);
   throw InputError("case " + (name_or_path.empty() ? "\"\"" : printable(name_or_path)) + " is unknown" +
                    suggestion(name_or_path, names) + ", but must be a file or one of " + joined(names));
 }
@@ -363,16 +363,14 @@ std::vector<Material> list_materials() {
                   });
 }
 
-std::vector<CaseListing> list_cases() {
+std::map<std::string, std::string> list_cases() {
   std::error_code error;
-  std::vector<CaseListing> cases;
+  std::map<std::string, std::string> cases;
   for (const auto& file : std::filesystem::directory_iterator(cases_directory(), error))
-    if (file.path().extension() == ".toml")
-      cases.push_back({file.path().stem().string(), title_of(file.path())});
+    if (file.path().extension() == ".toml") cases[file.path().stem().string()] = title_of(file.path());
   if (error)
     throw InputError(cases_directory().string() + ": cannot be listed (" + error.message() +
                      "); STICKSLIP_DATA must name the folder that holds cases/");
-  std::ranges::sort(cases, {}, &CaseListing::name);
   return cases;
 }
 

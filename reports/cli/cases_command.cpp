@@ -11,9 +11,8 @@ struct CasesOptions {};
 
 Answer listed_cases(const CasesOptions& /*options*/, Outputs& /*outputs*/) {
   Table table{.columns = {{"name", "name"}, {"title", "title"}, {"", "file"}}, .rows = {}};
-  for (const auto& listing : data::list_cases())
-    table.rows.push_back(
-        {word(listing.name), word(listing.title), word(data::find_case(listing.name).string())});
+  for (const auto& [name, title] : data::list_cases())
+    table.rows.push_back({word(name), word(title), word(data::find_case(name).string())});
   Answer answer;
   answer.text = table.text(false);
   answer.add_members({{"cases", table.json()}});

@@ -52,7 +52,7 @@ std::vector<Candidate> values_of(const CLI::Option& option) {
   std::vector<Candidate> values;
   const std::string name = option.get_name(true), type = option.get_type_name();
   if (name.starts_with("CASE"))
-    for (const auto& listing : data::list_cases()) values.push_back({listing.name, listing.title});
+    for (const auto& [case_name, title] : data::list_cases()) values.push_back({case_name, title});
   if (name == "NAME")
     for (const auto& resource : data::load_reference().resources)
       values.push_back({resource.name, resource.title});

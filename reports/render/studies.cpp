@@ -437,8 +437,8 @@ const Study scope("scope", "scope of the criterion", [](Results& r) {
 
 const Study tested_cases("tested_cases", "dimensionless groups of the cases", [](Results& /*r*/) {
   std::vector<studies::DimensionlessCase> cases;
-  for (const auto& listed : data::list_cases())
-    cases.push_back(studies::dimensionless(data::load_case(listed.name)));
+  for (const auto& [name, title] : data::list_cases())
+    cases.push_back(studies::dimensionless(data::load_case(name)));
   return cases;
 });
 

@@ -599,14 +599,13 @@ TEST(PublishedCases, DampedHasHalfAPercentInTheFirstStickMode) {
                               testing::reference(0.005 * 0.05 / 6.4, "6.4e-5 s, two digits")));
 }
 
-TEST(PublishedCases, AreListedByNameWithATitleAndAllLoad) {
+TEST(PublishedCases, AreListedWithATitleAndAllLoad) {
   const auto cases = data::list_cases();
   ASSERT_GE(cases.size(), 4U);
-  for (const auto& listing : cases) {
-    EXPECT_FALSE(listing.title.empty()) << listing.name;
-    EXPECT_NO_THROW(static_cast<void>(data::load_case(listing.name))) << listing.name;
+  for (const auto& [name, title] : cases) {
+    EXPECT_FALSE(title.empty()) << name;
+    EXPECT_NO_THROW(static_cast<void>(data::load_case(name))) << name;
   }
-  EXPECT_TRUE(std::ranges::is_sorted(cases, {}, &data::CaseListing::name));
 }
 
 TEST_F(CaseFile, IsFoundByPath) {
@@ -636,9 +635,7 @@ TEST_F(CaseFile, IsFoundInTheFolderThatTheEnvironmentNames) {
   std::filesystem::create_directory(folder() / "cases");
   std::ofstream(folder() / "cases" / "mine.toml") << "\n# A beam of my own\n#\n" << valid_case();
   const DataFolder chosen(folder().string());
-  ASSERT_EQ(data::list_cases().size(), 1U);
-  EXPECT_EQ(data::list_cases()[0].name, "mine");
-  EXPECT_EQ(data::list_cases()[0].title, "A beam of my own");
+  EXPECT_EQ(data::list_cases(), (std::map<std::string, std::string>{{"mine", "A beam of my own"}}));
   EXPECT_EQ(data::load_case("mine").beam.second_moment_of_area(), 8.25e-6);
 }
 

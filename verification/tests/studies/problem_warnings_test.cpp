@@ -281,11 +281,11 @@ TEST(ProblemWarnings, OfAMapAreThoseThatItsAxesLeaveAsTheyAre) {
 
 TEST(ProblemWarnings, AreOneSentenceEach) {
   int warnings = 0;
-  for (const auto& listing : data::list_cases())
+  for (const auto& [name, title] : data::list_cases())
     for (const Inquiry inquiry : {Inquiry::stick_frequencies, Inquiry::slip_frequencies, Inquiry::criterion,
                                   Inquiry::closed_form_history, Inquiry::event_driven_history,
                                   Inquiry::stepped_history, Inquiry::design})
-      for (const auto& warning : studies::problem_warnings(data::load_case(listing.name), inquiry, 10)) {
+      for (const auto& warning : studies::problem_warnings(data::load_case(name), inquiry, 10)) {
         EXPECT_EQ(warning.sentence.find_first_of("\r\n"), std::string::npos);
         EXPECT_LT(warning.sentence.size(), 300u) << warning.sentence;
         ++warnings;

@@ -19,6 +19,7 @@
 /// of its distribution.
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -87,12 +88,8 @@ struct Material {
 /// The rows of materials.toml in data_directory(), in the order of the file. Throws InputError if it is not there.
 [[nodiscard]] std::vector<Material> list_materials();
 
-/// The names of the published cases, sorted, each with the first comment line of its file.
-struct CaseListing {
-  std::string name;
-  std::string title;
-};
-[[nodiscard]] std::vector<CaseListing> list_cases();
+/// The names of the published cases, each with the first comment line of its file.
+[[nodiscard]] std::map<std::string, std::string> list_cases();
 
 /// excitation.duration where a case does not state it: that of the paper, s.
 constexpr double default_duration = 10.0;
