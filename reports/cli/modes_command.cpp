@@ -38,9 +38,9 @@ std::string drawing(const data::Case& problem, const ModesOptions& options,
   auto rows = options.is_mesh()
                   ? studies::mesh_shapes(problem, options.tip(), options.count, points)
                   : studies::closed_form_shapes(problem.beam, options.tip(), options.count, points);
-  std::vector<report::CsvColumn> columns{{"x", "m"}};
+  std::string columns = "x [m]";
   for (std::size_t n = 0; n < frequencies.size(); ++n)
-    columns.push_back({fmt::format("{}: {:.6g} Hz", n + 1, frequencies[n].hz), "1"});
+    columns += fmt::format(", {}: {:.6g} Hz [1]", n + 1, frequencies[n].hz);
   report::CsvTable table("Modes of the case " + problem.name, columns);
   for (std::size_t i = 0; i < points.size(); ++i) {
     rows[i].insert(rows[i].begin(), points[i]);

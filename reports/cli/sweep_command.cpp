@@ -34,12 +34,9 @@ const std::map<std::string, studies::SweepDirection> directions{{"up", studies::
 
 report::CsvTable table_of(const studies::SweepTask& task, const std::vector<studies::SweepPoint>& points) {
   report::CsvTable table("Poincare section of the tip for the case " + task.problem.name,
-                         {{"direction", "-"},
-                          report::column_of(task.parameter),
-                          {"tip_displacement_m", "m"},
-                          {"tip_velocity_m_per_s", "m/s"},
-                          {"friction_force_N", "N"},
-                          {"period", "1"}});
+                         fmt::format("direction [-], {}, tip_displacement_m [m], tip_velocity_m_per_s [m/s], "
+                                     "friction_force_N [N], period [1]",
+                                     report::column_of(task.parameter)));
   for (const studies::SweepPoint& point : points)
     for (const studies::HistoryRow& at : point.section) {
       for (const double value : {at.tip_displacement, at.sliding_velocity, at.friction_force})

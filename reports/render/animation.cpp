@@ -56,12 +56,9 @@ studies::History motion_of(const data::Case& problem, const AnimationOptions& op
 // Frames first ... last - 1, `positions` rows each.
 CsvTable table_of(const std::string& title, const studies::History& motion,
                   const std::vector<double>& position, std::size_t first, std::size_t last) {
-  CsvTable table(title, {{"frame", "1"},
-                         {"time_s", "s"},
-                         {"tip_sticks", "1"},
-                         {"friction_force_N", "N"},
-                         {"position_m", "m"},
-                         {"displacement_m", "m"}});
+  CsvTable table(
+      title,
+      "frame [1], time_s [s], tip_sticks [1], friction_force_N [N], position_m [m], displacement_m [m]");
   for (std::size_t i = first; i < last; ++i) {
     const studies::HistoryRow& row = motion.rows[i];
     const double sticks = row.state == data::ContactState::stick ? 1.0 : 0.0;

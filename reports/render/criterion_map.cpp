@@ -66,11 +66,8 @@ std::string label(std::string name, const std::string& unit) {
 // An empty line after each series, so that no line joins two of them.
 CsvTable table_of(const comparison::Comparison& comparison, const Quantity& quantity) {
   CsvTable table(fmt::format("{} of {}", quantity.name, comparison.name),
-                 {{"abscissa", comparison.abscissa_unit},
-                  {"theirs", quantity.unit},
-                  {"reference", quantity.unit},
-                  {"half_width", quantity.unit},
-                  {"allowed", quantity.unit}});
+                 fmt::format("abscissa [{0}], theirs [{1}], reference [{1}], half_width [{1}], allowed [{1}]",
+                             comparison.abscissa_unit, quantity.unit));
   for (const auto& series : quantity.series) {
     for (std::size_t i = 0; i < series.abscissa.size(); ++i)
       table.add_numbers({series.abscissa[i], series.theirs[i], series.reference[i], series.half_width[i],
@@ -87,27 +84,25 @@ bool is_smooth(data::ComparisonKind kind) {
 
 }  // namespace
 
-CsvColumn column_of(std::string_view parameter) {
+std::string column_of(std::string_view parameter) {
   const data::Key& key = data::key_named(parameter);
   const std::string_view unit = key.magnitudes.unit;
-  return {std::string(key.axis.column), unit.empty() ? "1" : std::string(unit)};
+  return fmt::format("{} [{}]", key.axis.column, unit.empty() ? "1" : unit);
 }
 
 CsvTable table_of(const data::Case& problem, const studies::CriterionMap& map) {
-  std::vector<CsvColumn> columns{column_of(map.x.parameter), column_of(map.y.parameter)};
+  std::string columns = column_of(map.x.parameter) + ", " + column_of(map.y.parameter);
   const bool has_ratio = !map.states_only && map.quantities.empty();
-  if (has_ratio) columns.push_back({"force_ratio", "1"});
+  if (has_ratio) columns += ", force_ratio [1]";
   for (const studies::MotionQuantity* quantity : map.quantities) {
-    columns.push_back({std::string(quantity->column), std::string(quantity->unit)});
-    std::string change = std::string(quantity->name) + "_change";
+    std::string change(quantity->name);
     std::ranges::replace(change, '-', '_');
-    columns.push_back({change, "1"});
+    columns += fmt::format(", {} [{}], {}_change [1]", quantity->column, quantity->unit, change);
   }
-  columns.push_back({"state", "-"});
   CsvTable table(
       fmt::format("{} for the case {}",
                   map.quantities.empty() ? "Criterion of stick-slip" : "Stick-slip motion", problem.name),
-      columns);
+      columns + ", state [-]");
   table.reserve(map.cells.size() * longest_usual_row);
 
   const std::vector<std::string> x = texts_of(map.x), y = texts_of(map.y);
@@ -135,9 +130,8 @@ std::string draw(const CsvTable& table, const studies::CriterionMap& map, const 
 }
 
 std::string draw(const data::Case& problem, const studies::CriticalAmplitudeCurve& curve, const Look& look) {
-  CsvTable table("Critical amplitude of the case " + problem.name,
-                 {{"frequency", "Hz"}, {"critical_amplitude", "m"}});
-  CsvTable marks("Natural frequencies of the stick state", {{"frequency", "Hz"}});
+  CsvTable table("Critical amplitude of the case " + problem.name, "frequency [Hz], critical_amplitude [m]");
+  CsvTable marks("Natural frequencies of the stick state", "frequency [Hz]");
   for (std::size_t i = 0; i < curve.hz.size(); ++i) table.add_numbers({curve.hz[i], curve.amplitudes[i]});
   for (const double hz : curve.natural_hz) marks.add_numbers({hz});
   const auto values = values_table({{"excitation_frequency", problem.excitation.frequency_hz(), "Hz"},
@@ -149,13 +143,13 @@ std::string draw(const data::Case& problem, const studies::CriticalAmplitudeCurv
 }
 
 std::string draw(const studies::SlipUncertainty& result, const Look& look) {
-  CsvTable table("Margins of the samples", {{"margin", "1"}});
+  CsvTable table("Margins of the samples", "margin [1]");
   for (const double margin : result.margins) table.add_numbers({margin});
   return drawing_of("uncertainty", look, {{"uncertainty.csv", table.text()}});
 }
 
 std::string draw(const comparison::Comparison& comparison, const Look& look) {
-  CsvTable labels("Labels of the axes: the abscissa, then one for each quantity", {{"label", "-"}});
+  CsvTable labels("Labels of the axes: the abscissa, then one for each quantity", "label [-]");
   labels.add_row(
       {comparison.abscissa.empty() ? "row" : label(comparison.abscissa, comparison.abscissa_unit)});
   std::map<std::string, std::string> tables;

@@ -14,8 +14,8 @@
 
 namespace stickslip::report {
 
-/// The column and the unit of a key that may be an axis.
-[[nodiscard]] CsvColumn column_of(std::string_view parameter);
+/// The column of a key that may be an axis, as CsvTable takes it.
+[[nodiscard]] std::string column_of(std::string_view parameter);
 
 /// One row per cell, with a force ratio only where there is a stick state; an empty line after each y. A
 /// quantity has a column with its value, where that has converged, and one with its change.

@@ -3,22 +3,24 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 
-#include "stickslip/data/input_error.hpp"
+#include "stickslip/data/csv_text.hpp"
 
 namespace stickslip::report {
 
-CsvTable::CsvTable(std::string_view title, const std::vector<CsvColumn>& columns)
-    : columns_(columns.size()), text_(fmt::format("# {}\n# units: ", title)) {
-  std::vector<std::string> names;
-  for (const CsvColumn& column : columns) {
-    if (!names.empty()) text_ += ',';
-    text_ += column.unit;
-    names.push_back(column.name);
+CsvTable::CsvTable(std::string_view title, std::string_view columns) {
+  std::string names, units;
+  for (std::size_t begin = 0; begin < columns.size(); ++columns_) {
+    const std::size_t end = std::min(columns.find(", ", begin), columns.size());
+    const auto [name, unit] = data::header_of(columns.substr(begin, end - begin));
+    const char* const comma = columns_ > 0 ? "," : "";
+    names += comma + name;
+    units += comma + unit.value();
+    begin = end + 2;
   }
-  text_ += '\n';
-  add_row(names);
+  text_ = fmt::format("# {}\n# units: {}\n{}\n", title, units, names);
 }
 
 void CsvTable::add_row(const std::vector<std::string>& cells) {

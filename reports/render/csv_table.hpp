@@ -9,16 +9,12 @@
 
 namespace stickslip::report {
 
-struct CsvColumn {
-  std::string name;
-  std::string unit;  ///< "m"; "1" for a pure number, "-" for a word
-};
-
 /// A table of comma-separated values: two comment lines (title, units), a line of column names, the rows.
 /// Numbers are written with the digits that read back as the same double.
 class CsvTable {
  public:
-  CsvTable(std::string_view title, const std::vector<CsvColumn>& columns);
+  /// Columns as in "time_s [s], steps [1], state [-]": 1 for a pure number, - for a word.
+  CsvTable(std::string_view title, std::string_view columns);
 
   /// Throws std::invalid_argument if there are not as many cells as columns, or if a cell holds a comma, a
   /// quote or a line break.
@@ -43,7 +39,7 @@ class CsvTable {
  private:
   void require_columns(std::size_t cells) const;
 
-  std::size_t columns_;
+  std::size_t columns_{};
   std::size_t cells_{};  // in the row that has not ended
   std::string text_;
 };

@@ -62,7 +62,7 @@ std::string figure_format(const std::string& figure) {
 }
 
 CsvTable values_table(const std::vector<FigureData::Value>& values) {
-  CsvTable table("Single values of the figure", {{"name", "-"}, {"value", "see last column"}, {"unit", "-"}});
+  CsvTable table("Single values of the figure", "name [-], value [see last column], unit [-]");
   for (const auto& [name, value, unit, text] : values)
     table.add_row({name, text.empty() ? csv_number(value) : text, unit});
   return table;

@@ -597,15 +597,8 @@ FigureData figure3(Results& r) {
   CsvTable table(
       "Fig. 3: motion y(x, t) of the beam over one period, by finite elements and without a mesh (closed "
       "form where the tip sticks throughout, else converged on free modes)",
-      {{"panel", "1"},
-       {"frequency_Hz", "Hz"},
-       {"snapshot", "1"},
-       {"time_s", "s"},
-       {"periods_since_first_snapshot", "1"},
-       {"tip_sticks", "1"},
-       {"position_m", "m"},
-       {"finite_element_displacement_m", "m"},
-       {"continuous_beam_displacement_m", "m"}});
+      "panel [1], frequency_Hz [Hz], snapshot [1], time_s [s], periods_since_first_snapshot [1], tip_sticks "
+      "[1], position_m [m], finite_element_displacement_m [m], continuous_beam_displacement_m [m]");
   int panel = 0;
   for (const auto& study : r(beam_motions)) {
     ++panel;
@@ -645,17 +638,10 @@ FigureData figure5(Results& r) { return tip_histories(r, "5"); }
 
 // Run 0 is the uncertainty of the reference.
 CsvTable benchmark_events(const std::vector<studies::DampedBenchmark>& benchmarks) {
-  CsvTable events("Damped benchmark: events of the reference and differences of other runs to it",
-                  {{"frequency_Hz", "Hz"},
-                   {"run", "1"},
-                   {"method", "-"},
-                   {"elements_or_modes", "1"},
-                   {"time_step_s", "s"},
-                   {"event_time_s", "s"},
-                   {"change", "-"},
-                   {"position_m", "m"},
-                   {"time_difference_s", "s"},
-                   {"position_difference_m", "m"}});
+  CsvTable events(
+      "Damped benchmark: events of the reference and differences of other runs to it",
+      "frequency_Hz [Hz], run [1], method [-], elements_or_modes [1], time_step_s [s], event_time_s [s], "
+      "change [-], position_m [m], time_difference_s [s], position_difference_m [m]");
   for (const auto& benchmark : benchmarks) {
     const auto add = [&](int number, const studies::BenchmarkRun& run, std::size_t i,
                          const studies::EventDifference& difference) {
@@ -694,15 +680,8 @@ FigureData benchmark(Results& r) {
 // hz<j>.
 FigureData practice(Results& r) {
   CsvTable table("Undamped tip displacement y(L, t): converged (run 0) and as usually computed",
-                 {{"frequency_Hz", "Hz"},
-                  {"run", "1"},
-                  {"method", "-"},
-                  {"elements", "1"},
-                  {"time_step_s", "s"},
-                  {"spectral_radius", "1"},
-                  {"largest_error_percent", "%"},
-                  {"time_s", "s"},
-                  {"tip_displacement_m", "m"}});
+                 "frequency_Hz [Hz], run [1], method [-], elements [1], time_step_s [s], spectral_radius "
+                 "[1], largest_error_percent [%], time_s [s], tip_displacement_m [m]");
   FigureData data{{}, {{"shown", shown_duration, "s"}}};
   for (std::size_t j = 0; j < r(converged_histories).size(); ++j) {
     const auto& converged = r(converged_histories)[j];
@@ -738,7 +717,7 @@ FigureData growth(Results& r) {
 // The points are the excitations A to D whose |f_max| the paper prints.
 FigureData figure10(Results& r) {
   CsvTable points("Fig. 10: the excitations A to D",
-                  {{"letter", "-"}, {"frequency_Hz", "Hz"}, {"amplitude_m", "m"}, {"force_max_N", "N"}});
+                  "letter [-], frequency_Hz [Hz], amplitude_m [m], force_max_N [N]");
   const char* letter = "ACBD";
   for (const auto& force : r(force_maxima)) {
     points.add(std::string_view(letter++, 1)).add(force.frequency_hz).add(force.amplitude);
@@ -796,13 +775,8 @@ FigureData scoreboard(Results& /*r*/) {
     if (const std::string& ratio = row->at(column("ratio")); !ratio.empty())
       values.push_back(std::clamp(std::log10(std::stod(ratio)), -1.0, 6.0));
   }
-  CsvTable table("Error over tolerance of other codes, as decadic logarithm from -1 to 6", {{"code", "-"},
-                                                                                            {"problem", "-"},
-                                                                                            {"column", "1"},
-                                                                                            {"row", "1"},
-                                                                                            {"state", "1"},
-                                                                                            {"usual", "1"},
-                                                                                            {"best", "1"}});
+  CsvTable table("Error over tolerance of other codes, as decadic logarithm from -1 to 6",
+                 "code [-], problem [-], column [1], row [1], state [1], usual [1], best [1]");
   for (std::size_t j = 0; j < codes.size(); ++j)
     for (std::size_t i = 0; i < problems.size(); ++i) {
       const auto found = ratios.find({codes[j], problems[i]});

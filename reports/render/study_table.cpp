@@ -117,14 +117,14 @@ std::string with_unit(std::string name, std::string unit) {
   return name + "_" + unit;
 }
 
-CsvColumn csv_column(const json& units, const Column& column) {
-  if (column.path == "#") return {std::string(column.name), "1"};
+std::string head_of(const json& units, const Column& column) {
+  if (column.path == "#") return fmt::format("{} [1]", column.name);
   const json* unit = &units;
   std::string name;
   for (std::string_view path = column.path; !path.empty();)
     if (const std::string step(take(path, ".")); !is_number(step)) unit = &unit->at(name = step);
   const std::string text = column.unit.empty() ? unit->get<std::string>() : std::string(column.unit);
-  return {with_unit(column.name.empty() ? name : std::string(column.name), text), text};
+  return fmt::format("{} [{}]", with_unit(column.name.empty() ? name : std::string(column.name), text), text);
 }
 
 }  // namespace
@@ -137,8 +137,8 @@ std::string json_text(nlohmann::json value) {
 CsvTable study_table(const std::string& title, const json& results, const json& units, std::string_view text,
                      TableShape shape) {
   const std::vector<Column> columns = columns_of(text);
-  std::vector<CsvColumn> heads;
-  for (const Column& column : columns) heads.push_back(csv_column(units, column));
+  std::string heads;
+  for (const Column& column : columns) heads += (heads.empty() ? "" : ", ") + head_of(units, column);
   CsvTable table(title, heads);
   const auto add = [&](const json& result, const json& number) {
     std::vector<Cell> cells;

@@ -85,7 +85,7 @@ TEST_F(LocaleWithAComma, ChangesNothingThatIsReadOrWritten) {
   EXPECT_EQ(paper.beam.length(), 1234.5);
   EXPECT_EQ(paper.numerics.elements(), 1234);
   EXPECT_EQ(data::shortest_text(1234.5), "1234.5");
-  report::CsvTable table("A table", {{"x", "m"}});
+  report::CsvTable table("A table", "x [m]");
   table.add_numbers({1234.5});
   EXPECT_TRUE(table.text().ends_with("1234.5\n")) << table.text();
 

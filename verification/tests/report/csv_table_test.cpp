@@ -66,7 +66,7 @@ TEST(StudyTable, RefusesUnequalListsAndUnknownMembers) {
 
 STICKSLIP_VERIFIES(CsvTable, "U3");
 TEST(CsvTable, HasTitleUnitsNamesAndRows) {
-  report::CsvTable table("Tip", {{"time_s", "s"}, {"tip_m", "m"}});
+  report::CsvTable table("Tip", "time_s [s], tip_m [m]");
   table.add_numbers({0.1, -2e-7});
   EXPECT_EQ(table.text(), "# Tip\n# units: s,m\ntime_s,tip_m\n0.1,-2e-07\n");
 }
@@ -78,8 +78,7 @@ TEST(CsvTable, WritesNumbersThatReadBackExactly) {
 }
 
 TEST(CsvTable, IsTheSameWrittenCellByCellAndRefusesSplitCells) {
-  const std::vector<report::CsvColumn> columns{{"time_s", "s"}, {"tip_m", "m"}, {"state", "-"}};
-  report::CsvTable rows("Tip", columns), cells("Tip", columns);
+  report::CsvTable rows("Tip", "time_s [s], tip_m [m], state [-]"), cells = rows;
   rows.add_row({"0.1", "", "stick"});
   cells.add(0.1).add(std::nullopt).add("stick").end_row();
   rows.add_row({"1e-05", "-2", "stick"});
