@@ -231,8 +231,7 @@ std::vector<double> criterion_frequencies(const studies::FrequencyStudy& natural
 }
 
 const Study criterion("criterion", "critical amplitudes (Fig. 11)", [](Results& r) {
-  return studies::critical_amplitude_curve(r.paper.beam, r.paper.friction, r.paper.numerics,
-                                           criterion_frequencies(r(stick_frequencies)));
+  return studies::critical_amplitude_curve(r.paper, criterion_frequencies(r(stick_frequencies)));
 });
 
 // Point i is at the frequency of criterion[i] times the ratio of the first natural frequencies.
@@ -242,8 +241,7 @@ const Study half_stiffness_criterion(
                            r(stick_frequencies).modes.front().closed_form_hz;
       std::vector<double> frequencies = criterion_frequencies(r(stick_frequencies));
       for (double& hz : frequencies) hz *= ratio;
-      const data::Case& problem = r.half_stiffness;
-      return studies::critical_amplitude_curve(problem.beam, problem.friction, problem.numerics, frequencies);
+      return studies::critical_amplitude_curve(r.half_stiffness, frequencies);
     });
 
 const Study half_stiffness_ratio("half_stiffness_ratio",
@@ -267,8 +265,7 @@ const Study friction_curve("friction_curve", "friction law (Fig. 2)", [](Results
 
 const Study searches("searches", "critical amplitudes by the paper's procedure (Fig. 6)", [](Results& r) {
   constexpr double increment = 1e-5, cap = 1e-3;  // m
-  return studies::critical_amplitude_searches(r.paper.beam, r.paper.friction, r.paper.numerics,
-                                              studies::figure6_frequencies(), increment, cap);
+  return studies::critical_amplitude_searches(r.paper, studies::figure6_frequencies(), increment, cap);
 });
 
 // By half a hertz, so that the frequencies of Fig. 6 are among them.
@@ -296,9 +293,8 @@ const Study length_force_map("length_force_map", "criterion over length and axia
 
 const Study classification("classification", "classification of excitations (Fig. 12), the longest of all",
                            [](Results& r) {
-                             return studies::classification_study(
-                                 r.paper.beam, r.paper.friction, r.paper.numerics,
-                                 studies::figure12_frequencies(), studies::figure12_amplitudes());
+                             return studies::classification_study(r.paper, studies::figure12_frequencies(),
+                                                                  studies::figure12_amplitudes());
                            });
 
 const Study measured("validation", "measurements of others",
@@ -388,8 +384,10 @@ const Study energy_audits("energy_audits", "energy balance", [](Results& r) {
 });
 
 const Study schemes("schemes", "contact schemes", [](Results& r) {
-  return studies::compare_schemes(r.paper.beam, r.paper.friction, r.damped.excitation,
-                                  with_duration(r.paper.numerics, shown_duration), data::Damping());
+  data::Case problem = r.paper;
+  problem.excitation = r.damped.excitation;
+  problem.numerics = with_duration(r.paper.numerics, shown_duration);
+  return studies::compare_schemes(problem);
 });
 
 const Study beam_motions("beam_motions", "motions of the whole beam (Fig. 3)", [](Results& r) {

@@ -342,7 +342,7 @@ enum class Procedure { raised, linear, modal };
 
 void critical_amplitude(benchmark::State& state, Procedure procedure) {
   constexpr double increment = 1e-5;
-  const double limit = studies::friction_limit(paper_friction, paper_beam);
+  const double limit = paper_friction.static_coefficient() * paper_beam.axial_force();
   const auto numerics = settings(20);
   double found = 0.0;
   for (auto _ : state) {

@@ -89,9 +89,7 @@ std::optional<SteadyState> steady_state(const data::Case& problem, const StickFr
       .reached = std::ranges::find(warnings, Concern::resonance, &Warning::concern) == warnings.end()};
 }
 
-CriticalAmplitudeSearch search(const data::Beam& beam, const data::FrictionLaw& friction,
-                               const data::NumericalSettings& numerics, double hz, double increment,
-                               double cap) {
+CriticalAmplitudeSearch search(const data::Case& problem, double hz, double increment, double cap) {
   const int steps = static_cast<int>(std::lround(cap / increment));
   const auto at = [&](double amplitude) {
     return data::HarmonicExcitation({.frequency_hz = hz, .amplitude = amplitude});
@@ -100,14 +98,15 @@ CriticalAmplitudeSearch search(const data::Beam& beam, const data::FrictionLaw& 
   result.frequency_hz = hz;
   result.increment = increment;
   result.cap = cap;
-  const double limit = friction_limit(friction, beam);
-  result.linear = increment * limit / solver::max_abs_friction_force(beam, at(increment), numerics);
+  result.linear = increment * friction_limit(problem) /
+                  solver::max_abs_friction_force(problem.beam, at(increment), problem.numerics);
   const double multiple = std::floor(result.linear / increment) + 1.0;
   if (multiple <= steps) result.stepped_linear = multiple * increment;
   while (!result.searched && result.runs < steps) {
     ++result.runs;
     const double amplitude = result.runs * increment;
-    if (solver::first_slip(beam, friction, at(amplitude), numerics)) result.searched = amplitude;
+    if (solver::first_slip(problem.beam, problem.friction, at(amplitude), problem.numerics))
+      result.searched = amplitude;
   }
   return result;
 }
@@ -192,15 +191,12 @@ CriticalAmplitudeCurve critical_amplitude_curve(const data::Case& problem) {
   return curve;
 }
 
-std::vector<CriticalAmplitudeSearch> critical_amplitude_searches(const data::Beam& beam,
-                                                                 const data::FrictionLaw& friction,
-                                                                 const data::NumericalSettings& numerics,
+std::vector<CriticalAmplitudeSearch> critical_amplitude_searches(const data::Case& problem,
                                                                  const std::vector<double>& frequencies_hz,
                                                                  double increment, double cap) {
   std::vector<CriticalAmplitudeSearch> searches(frequencies_hz.size());
-  in_parallel(searches.size(), [&](std::size_t i) {
-    searches[i] = search(beam, friction, numerics, frequencies_hz[i], increment, cap);
-  });
+  in_parallel(searches.size(),
+              [&](std::size_t i) { searches[i] = search(problem, frequencies_hz[i], increment, cap); });
   return searches;
 }
 

@@ -101,8 +101,7 @@ STICKSLIP_MEMBERS(CriticalAmplitudeSearch, (frequency_hz, "Hz"), (searched, "m")
 /// differ only if the critical amplitude is within round-off of a multiple of the increment. Uses
 /// thread_count() threads; the result does not depend on their number.
 [[nodiscard]] std::vector<CriticalAmplitudeSearch> critical_amplitude_searches(
-    const data::Beam& beam, const data::FrictionLaw& friction, const data::NumericalSettings& numerics,
-    const std::vector<double>& frequencies_hz, double increment, double cap);
+    const data::Case& problem, const std::vector<double>& frequencies_hz, double increment, double cap);
 
 /// The frequencies of Fig. 6: 5 to 100 Hz in steps of 5 Hz.
 [[nodiscard]] std::vector<double> figure6_frequencies();

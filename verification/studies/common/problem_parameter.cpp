@@ -9,11 +9,9 @@ double angular_frequency(const data::HarmonicExcitation& excitation) {
   return 2.0 * std::numbers::pi * excitation.frequency_hz();
 }
 
-double friction_limit(const data::FrictionLaw& friction, const data::Beam& beam) {
-  return friction.static_coefficient() * beam.axial_force();
+double friction_limit(const data::Case& problem) {
+  return problem.friction.static_coefficient() * problem.beam.axial_force();
 }
-
-double friction_limit(const data::Case& problem) { return friction_limit(problem.friction, problem.beam); }
 
 bool is_damped(const data::Case& problem) {
   return problem.damping.kelvin_voigt() > 0.0 || problem.damping.ratio() > 0.0;

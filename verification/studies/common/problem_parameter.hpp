@@ -12,7 +12,6 @@ namespace stickslip::studies {
 [[nodiscard]] double angular_frequency(const data::HarmonicExcitation& excitation);
 
 /// μ_s P, N.
-[[nodiscard]] double friction_limit(const data::FrictionLaw& friction, const data::Beam& beam);
 [[nodiscard]] double friction_limit(const data::Case& problem);
 
 /// Whether the case has Kelvin-Voigt damping or a damping ratio above 0.

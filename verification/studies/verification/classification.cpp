@@ -18,16 +18,15 @@ namespace {
 constexpr int converged_modes = 60;
 constexpr int predicted_vibrations = 20;
 
-ClassifiedFrequency classified_frequency(const data::Beam& beam, const data::FrictionLaw& friction,
-                                         const data::NumericalSettings& numerics, double hz) {
+ClassifiedFrequency classified_frequency(const data::Case& problem, double hz) {
   const data::HarmonicExcitation unit({.frequency_hz = hz, .amplitude = 1e-3});
-  const double duration = numerics.duration();
+  const double duration = problem.numerics.duration();
   const analytic::Criterion criterion =
-      analytic::evaluate_criterion(beam, friction, unit, duration, numerics.modes());
-  const analytic::StickResponse reference(beam, unit, converged_modes, analytic::SteadyPart::exact);
+      analytic::evaluate_criterion(problem.beam, problem.friction, unit, duration, problem.numerics.modes());
+  const analytic::StickResponse reference(problem.beam, unit, converged_modes, analytic::SteadyPart::exact);
   const double truncated = criterion.force_max.midpoint();
   const double converged = reference.max_abs_friction_force(duration, 1e-8).midpoint();
-  const PredictedForce predicted(beam, unit, numerics, predicted_vibrations);
+  const PredictedForce predicted(problem.beam, unit, problem.numerics, predicted_vibrations);
   return {.frequency_hz = hz,
           .critical_amplitude = criterion.critical_amplitude.midpoint(),
           .relative_truncation_error = std::abs(truncated - converged) / converged,
@@ -50,9 +49,7 @@ void ClassificationStudy::count_points() {
       count([&](const ClassifiedPoint& point) { return !agree(point) && !point.in_guard_band; });
 }
 
-ClassificationStudy classification_study(const data::Beam& beam, const data::FrictionLaw& friction,
-                                         const data::NumericalSettings& numerics,
-                                         const std::vector<double>& frequencies_hz,
+ClassificationStudy classification_study(const data::Case& problem, const std::vector<double>& frequencies_hz,
                                          const std::vector<double>& amplitudes) {
   ClassificationStudy study;
   study.frequencies.resize(frequencies_hz.size());
@@ -60,7 +57,7 @@ ClassificationStudy classification_study(const data::Beam& beam, const data::Fri
 
   const auto classify_column = [&](std::size_t column) {
     const double hz = frequencies_hz[column];
-    const ClassifiedFrequency frequency = classified_frequency(beam, friction, numerics, hz);
+    const ClassifiedFrequency frequency = classified_frequency(problem, hz);
     study.frequencies[column] = frequency;
     for (std::size_t row = 0; row < amplitudes.size(); ++row) {
       const double amplitude = amplitudes[row];
@@ -70,7 +67,8 @@ ClassificationStudy classification_study(const data::Beam& beam, const data::Fri
           .frequency_hz = hz,
           .amplitude = amplitude,
           .closed_form_slips = amplitude > frequency.critical_amplitude,
-          .finite_element_slips = solver::first_slip(beam, friction, excitation, numerics).has_value(),
+          .finite_element_slips =
+              solver::first_slip(problem.beam, problem.friction, excitation, problem.numerics).has_value(),
           .in_guard_band = std::abs(distance) <= frequency.relative_guard(),
           .distance = distance,
           .relative_guard = frequency.relative_guard()};

@@ -61,9 +61,7 @@ STICKSLIP_MEMBERS(ClassificationStudy, (frequencies), (points), (agreeing, "1"),
 /// Classifies each point of the grid by both implementations. For finite elements each point is a separate
 /// run with contact, which ends at its first slip. Uses thread_count() threads; the result does not depend on
 /// their number.
-[[nodiscard]] ClassificationStudy classification_study(const data::Beam& beam,
-                                                       const data::FrictionLaw& friction,
-                                                       const data::NumericalSettings& numerics,
+[[nodiscard]] ClassificationStudy classification_study(const data::Case& problem,
                                                        const std::vector<double>& frequencies_hz,
                                                        const std::vector<double>& amplitudes);
 

@@ -77,14 +77,15 @@ std::string published_set(const data::PrintedVerdict& panel) {
 
 }  // namespace
 
-std::optional<double> closed_form_first_slip(const data::Beam& beam, const data::FrictionLaw& friction,
-                                             const data::HarmonicExcitation& excitation, double duration) {
-  const analytic::StickResponse response(beam, excitation, closed_form_modes, analytic::SteadyPart::exact);
-  const double limit = friction_limit(friction, beam);
+std::optional<double> closed_form_first_slip(const data::Case& problem) {
+  const analytic::StickResponse response(problem.beam, problem.excitation, closed_form_modes,
+                                         analytic::SteadyPart::exact);
+  const double limit = friction_limit(problem);
   const auto exceeded = [&](double t) { return std::abs(response.friction_force(t)) > limit; };
   const double scan =
-      std::min(1.0 / excitation.frequency_hz(), 1.0 / response.modes().front().frequency_hz()) / 2000.0;
-  const long samples = std::lround(duration / scan);
+      std::min(1.0 / problem.excitation.frequency_hz(), 1.0 / response.modes().front().frequency_hz()) /
+      2000.0;
+  const long samples = std::lround(problem.numerics.duration() / scan);
   for (long n = 1; n <= samples; ++n) {
     double high = static_cast<double>(n) * scan;
     if (!exceeded(high)) continue;
@@ -109,8 +110,7 @@ ContactHistory contact_history(const data::Case& problem, double shown, const st
                                                          duration, problem.numerics.modes())
                                 .verdict == analytic::Verdict::stick_slip;
   if (history.criterion_slips) {
-    history.closed_form_slip =
-        closed_form_first_slip(problem.beam, problem.friction, problem.excitation, duration);
+    history.closed_form_slip = closed_form_first_slip(problem);
     const ConvergedEffort two_levels{.duration = shown,
                                      .samples = static_cast<int>(std::lround(shown / sample)),
                                      .steps_per_sample = 512,
@@ -245,8 +245,7 @@ BeamMotionStudy beam_motion_study(const data::Case& problem, int snapshots, int 
   BeamMotionStudy study;
   study.frequency_hz = problem.excitation.frequency_hz();
   study.amplitude = problem.excitation.amplitude();
-  study.first_slip =
-      closed_form_first_slip(problem.beam, problem.friction, problem.excitation, problem.numerics.duration());
+  study.first_slip = closed_form_first_slip(problem);
   const double period = 1.0 / study.frequency_hz;
   const double start = study.first_slip ? std::max(0.0, *study.first_slip - 0.25 * period) : 0.0;
   const Sampling grid = snapshots_of(problem, start, period, snapshots, positions);

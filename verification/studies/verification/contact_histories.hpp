@@ -51,12 +51,9 @@ STICKSLIP_MEMBERS(ContactHistory, (frequency_hz, "Hz"), (amplitude, "m"), (conve
 [[nodiscard]] std::vector<HistoryRun> usual_practice(data::Case problem, const ConvergedHistory& converged);
 
 /// The first time (s) at which |f| of the closed form with the exact steady part exceeds the limit; empty if
-/// there is none within the duration. The search uses steps of 1/2000 of the shorter of the periods of the
+/// there is none within numerics.duration(). The search uses steps of 1/2000 of the shorter of the periods of the
 /// excitation and of the first mode, and locates the time to 1/20000 of a step.
-[[nodiscard]] std::optional<double> closed_form_first_slip(const data::Beam& beam,
-                                                           const data::FrictionLaw& friction,
-                                                           const data::HarmonicExcitation& excitation,
-                                                           double duration);
+[[nodiscard]] std::optional<double> closed_form_first_slip(const data::Case& problem);
 
 // The motion y(x,t) of the whole beam by several methods (Fig. 3).
 

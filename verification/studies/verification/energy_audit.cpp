@@ -92,18 +92,16 @@ EnergyAudit energy_audit(const data::Case& problem, double duration, const std::
 
 double SchemeRun::relative_residual() const { return energy.residual() / energy.base_work; }
 
-std::vector<SchemeRun> compare_schemes(const data::Beam& beam, const data::FrictionLaw& friction,
-                                       const data::HarmonicExcitation& excitation,
-                                       const data::NumericalSettings& numerics,
-                                       const data::Damping& damping) {
+std::vector<SchemeRun> compare_schemes(const data::Case& problem) {
   std::vector<SchemeRun> runs;
   for (const auto scheme : {ContactScheme::located, ContactScheme::end_of_step, ContactScheme::paper}) {
-    solver::BeamSimulation simulation(beam, friction, excitation, numerics,
-                                      {.damping = damping, .scheme = scheme});
+    solver::BeamSimulation simulation(problem.beam, problem.friction, problem.excitation, problem.numerics,
+                                      {.damping = problem.damping, .scheme = scheme});
     solver::EnergyRecorder recorder(simulation.integrator());
     simulation.observe([&recorder](const solver::StickSlipIntegrator& now) { recorder.record(now); });
     SchemeRun run;
-    for (long n = solver::step_count(numerics.duration(), numerics.time_step()); n > 0; --n) {
+    const long steps = solver::step_count(problem.numerics.duration(), problem.numerics.time_step());
+    for (long n = 0; n < steps; ++n) {
       simulation.step();
       run.largest_tip_displacement =
           std::max(run.largest_tip_displacement, std::abs(simulation.tip_displacement()));

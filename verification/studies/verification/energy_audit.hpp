@@ -80,14 +80,10 @@ struct SchemeRun {
 STICKSLIP_MEMBERS(SchemeRun, (shortest_plateau, "s"), (first_slip, "s"), (events, "1"), (plateaus),
                   (largest_tip_displacement, "m"), (energy), (relative_residual(), "1"))
 
-/// Runs the same beam over numerics.duration() by three schemes in this order: with located changes, with
+/// Runs the case over numerics.duration() by three schemes in this order: with located changes, with
 /// changes at the end of the step, and exactly as Sects. 2 and 3 of the paper describe. The rule of switching
 /// in the paper's reference [18] (Won & Chung, J. Sound Vib. 419, 42-62, 2018) is not available. Each run has
 /// its energy balance. Throws what BeamSimulation throws.
-[[nodiscard]] std::vector<SchemeRun> compare_schemes(const data::Beam& beam,
-                                                     const data::FrictionLaw& friction,
-                                                     const data::HarmonicExcitation& excitation,
-                                                     const data::NumericalSettings& numerics,
-                                                     const data::Damping& damping);
+[[nodiscard]] std::vector<SchemeRun> compare_schemes(const data::Case& problem);
 
 }  // namespace stickslip::studies

@@ -61,15 +61,14 @@ ForceMaximumStudy force_maximum_study(const data::Beam& beam, const data::Harmon
           .prediction_uncertainty = predicted.uncertainty()};
 }
 
-std::vector<CriticalAmplitudePoint> critical_amplitude_curve(const data::Beam& beam,
-                                                             const data::FrictionLaw& friction,
-                                                             const data::NumericalSettings& numerics,
+std::vector<CriticalAmplitudePoint> critical_amplitude_curve(const data::Case& problem,
                                                              const std::vector<double>& frequencies_hz) {
   std::vector<CriticalAmplitudePoint> curve;
   for (const double hz : frequencies_hz) {
     const data::HarmonicExcitation unit({.frequency_hz = hz, .amplitude = 1e-3});
-    const analytic::Criterion criterion = analytic::evaluate_criterion(
-        beam, friction, unit, numerics.duration(), numerics.modes(), analytic::SteadyPart::modal_sum, 1e-6);
+    const analytic::Criterion criterion =
+        analytic::evaluate_criterion(problem.beam, problem.friction, unit, problem.numerics.duration(),
+                                     problem.numerics.modes(), analytic::SteadyPart::modal_sum, 1e-6);
     curve.push_back({hz, criterion.critical_amplitude.midpoint()});
   }
   return curve;

@@ -46,8 +46,7 @@ struct CriticalAmplitudePoint {
 STICKSLIP_MEMBERS(CriticalAmplitudePoint, (frequency_hz, "Hz"), (critical_amplitude, "m"))
 /// The critical amplitude at each frequency (Hz), Figs. 11 and 13: closed form with N modes.
 [[nodiscard]] std::vector<CriticalAmplitudePoint> critical_amplitude_curve(
-    const data::Beam& beam, const data::FrictionLaw& friction, const data::NumericalSettings& numerics,
-    const std::vector<double>& frequencies_hz);
+    const data::Case& problem, const std::vector<double>& frequencies_hz);
 
 /// The ratio of two such curves, point by point: the values below which a tenth, half and nine tenths of all are.
 struct AmplitudeRatio {

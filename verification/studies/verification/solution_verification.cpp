@@ -129,17 +129,17 @@ void add_first_slips(const data::Case& paper, std::vector<Plan>& plans) {
   };
   for (const Panel& panel : {Panel{"4b", 25.0, 0.5e-3}, Panel{"4d", 70.0, 0.5e-3}, Panel{"5b", 25.0, 1e-3},
                              Panel{"5c", 35.0, 1e-3}, Panel{"5d", 70.0, 1e-3}}) {
-    const data::HarmonicExcitation excitation({.frequency_hz = panel.hz, .amplitude = panel.amplitude});
-    const double reference =
-        closed_form_first_slip(paper.beam, paper.friction, excitation, paper.numerics.duration()).value();
+    data::Case problem = paper;
+    problem.excitation = data::HarmonicExcitation({.frequency_hz = panel.hz, .amplitude = panel.amplitude});
+    const double reference = closed_form_first_slip(problem).value();
     plans.push_back({fmt::format("figure{}.first_slip", panel.figure),
                      fmt::format("first slip, Fig. {}", panel.figure), "s", true,
                      [=](const Settings& at) {
-                       return solver::first_slip(paper.beam, paper.friction, excitation, at).value();
+                       return solver::first_slip(paper.beam, paper.friction, problem.excitation, at).value();
                      },
                      reference,
                      [=] {
-                       const analytic::StickResponse exact(paper.beam, excitation, reference_modes,
+                       const analytic::StickResponse exact(paper.beam, problem.excitation, reference_modes,
                                                            analytic::SteadyPart::exact);
                        constexpr double offset = 1e-6;
                        const double slope = (exact.friction_force(reference + offset) -

@@ -29,7 +29,9 @@ std::vector<double> frequencies(double first, double last, double step) {
 
 std::vector<double> critical_amplitudes(const data::Beam& beam, const std::vector<double>& hz) {
   std::vector<double> amplitudes;
-  for (const auto& point : studies::critical_amplitude_curve(beam, paper().friction, paper().numerics, hz))
+  data::Case problem = paper();
+  problem.beam = beam;
+  for (const auto& point : studies::critical_amplitude_curve(problem, hz))
     amplitudes.push_back(point.critical_amplitude);
   return amplitudes;
 }
@@ -225,9 +227,8 @@ TEST(ClaimOnFigure11, SmallAmplitudesSufficeAtResonance) {
 
 TEST(ClaimOnFigure12, TheAnalyticalAndNumericalSolutionsAgree) {
   // One frequency in three and one amplitude in four of the figure's grid.
-  const auto study =
-      studies::classification_study(paper().beam, paper().friction, paper().numerics,
-                                    frequencies(10.0, 120.0, 15.0), {0.1e-3, 0.3e-3, 0.5e-3, 0.7e-3, 0.9e-3});
+  const auto study = studies::classification_study(paper(), frequencies(10.0, 120.0, 15.0),
+                                                   {0.1e-3, 0.3e-3, 0.5e-3, 0.7e-3, 0.9e-3});
   const auto all = study.points.size();
   judge("fig12.agree-well",
         {.as_printed = study.disagreeing_outside == 0 && study.agreeing >= 0.95 * static_cast<double>(all)},
@@ -413,9 +414,7 @@ struct Curve {
 
 Curve curve_at(const std::vector<double>& frequencies_hz) {
   Curve curve;
-  for (const auto& point :
-       studies::critical_amplitude_curve(paper().beam, paper().friction, paper().numerics, frequencies_hz))
-    curve.closed_form.push_back(point.critical_amplitude);
+  curve.closed_form = critical_amplitudes(paper().beam, frequencies_hz);
   for (const double hz : frequencies_hz)
     curve.finite_element.push_back(
         1e-3 * friction_limit() /
@@ -425,8 +424,7 @@ Curve curve_at(const std::vector<double>& frequencies_hz) {
 
 TEST(ClaimOnFigure6, TheSearchFindsTheCriticalAmplitudes) {
   // The paper's procedure, at three frequencies that do not take many runs.
-  const auto searches = studies::critical_amplitude_searches(paper().beam, paper().friction, paper().numerics,
-                                                             {25.0, 70.0, 85.0}, 0.01e-3, 1e-3);
+  const auto searches = studies::critical_amplitude_searches(paper(), {25.0, 70.0, 85.0}, 0.01e-3, 1e-3);
   bool within_an_increment = true;
   int runs = 0;
   for (const auto& search : searches) {

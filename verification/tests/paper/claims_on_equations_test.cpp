@@ -343,9 +343,10 @@ TEST(ClaimOnFigure2, TheFrictionForceJumpsAtZeroVelocity) {
 TEST(ClaimOnFigure2, TheDiscontinuityMakesNumericalDifficulties) {
   data::NumericalChoices choices = paper_choices(0.25);
   choices.elements = 10;
-  const auto runs =
-      studies::compare_schemes(paper().beam, paper().friction, excitation(25.0, 1e-3),
-                               data::NumericalSettings(choices), data::Damping({.kelvin_voigt = 6.4e-5}));
+  data::Case problem = paper_problem(25.0, 1e-3);
+  problem.numerics = data::NumericalSettings(choices);
+  problem.damping = light_damping();
+  const auto runs = studies::compare_schemes(problem);
   const auto &located = runs.front(), &by_the_letter = runs.back();
   judge("fig2.numerical-difficulties",
         {.as_printed = 2 * by_the_letter.plateaus.size() < located.plateaus.size()},

@@ -14,10 +14,8 @@ namespace {
 
 STICKSLIP_VERIFIES(Figure12, "X3");
 TEST(Figure12, ClassifiesAlikeOutsideTheGuardBand) {
-  const data::NumericalSettings numerics(paper_choices(10.0));
-  const auto study =
-      studies::classification_study(paper_beam(), paper_friction(), numerics, studies::figure12_frequencies(),
-                                    studies::figure12_amplitudes());
+  const auto study = studies::classification_study(
+      paper_problem(25.0, 1e-3, 10.0), studies::figure12_frequencies(), studies::figure12_amplitudes());
   ASSERT_EQ(study.points.size(), 480u);
   int agreeing = 0, in_guard_band = 0;
   for (std::size_t n = 0; n < study.points.size(); ++n) {
@@ -54,7 +52,9 @@ TEST(Figure12, ClassifiesAlikeOutsideTheGuardBand) {
   EXPECT_TRUE(within(study.frequencies[0].relative_truncation_error, std::abs(truncated / converged - 1.0),
                      reference(1e-8, "the width of the bounds")));
   EXPECT_GE(study.frequencies[0].relative_discretisation_error,
-            studies::PredictedForce(paper_beam(), first, numerics, 20).uncertainty() / converged);
+            studies::PredictedForce(paper_beam(), first, data::NumericalSettings(paper_choices(10.0)), 20)
+                    .uncertainty() /
+                converged);
   EXPECT_LE(study.in_guard_band, 10);
   EXPECT_GT(study.agreeing, 470);
   RecordProperty("points_in_guard_band", study.in_guard_band);
@@ -85,7 +85,7 @@ TEST(FirstSlip, HappensWhenTheClosedFormSaysSo) {
        {std::pair{25.0, 0.5e-3}, {70.0, 0.5e-3}, {25.0, 1e-3}, {35.0, 1e-3}, {70.0, 1e-3}}) {
     SCOPED_TRACE(::testing::Message() << hz << " Hz, " << amplitude << " m");
     const data::HarmonicExcitation excitation({hz, amplitude});
-    const auto exact = studies::closed_form_first_slip(paper_beam(), paper_friction(), excitation, 1.0);
+    const auto exact = studies::closed_form_first_slip(paper_problem(hz, amplitude));
     ASSERT_TRUE(exact);
     const analytic::StickResponse response(paper_beam(), excitation, 60, analytic::SteadyPart::exact);
     // 1/20000 of a step of 1/2000 of the shorter period; that of mode 1 is 0.04004 s.
@@ -181,9 +181,8 @@ TEST(StickSlipBeam, StaysBoundedOnAnyMeshAndStep) {
 STICKSLIP_VERIFIES(CriticalAmplitude, "X4");
 TEST(CriticalAmplitude, BySearchIsTheFirstStepAboveTheOneOfALinearRun) {
   // Five steps each: found at 80 and 85 Hz within them, not at 40 Hz.
-  const data::NumericalSettings numerics(paper_choices(1.0));
-  const auto searches = studies::critical_amplitude_searches(paper_beam(), paper_friction(), numerics,
-                                                             {40.0, 80.0, 85.0}, 0.02e-3, 0.1e-3);
+  const data::Case problem = paper_problem(25.0, 1e-3);
+  const auto searches = studies::critical_amplitude_searches(problem, {40.0, 80.0, 85.0}, 0.02e-3, 0.1e-3);
   ASSERT_EQ(searches.size(), 3u);
   for (const auto& search : searches) EXPECT_TRUE(search.agree()) << search.frequency_hz;
   EXPECT_EQ(searches[1].frequency_hz, 80.0);
@@ -198,9 +197,8 @@ TEST(CriticalAmplitude, BySearchIsTheFirstStepAboveTheOneOfALinearRun) {
     EXPECT_LE(*searches[i].searched - 0.02e-3, searches[i].linear);
   }
   // The cap itself is tried.
-  const auto last = studies::critical_amplitude_searches(paper_beam(), paper_friction(), numerics, {85.0},
-                                                         0.02e-3, *searches[2].searched)
-                        .front();
+  const auto last =
+      studies::critical_amplitude_searches(problem, {85.0}, 0.02e-3, *searches[2].searched).front();
   EXPECT_TRUE(last.searched && last.agree());
 }
 

@@ -146,9 +146,8 @@ TEST(ForceSurface, HoldsTheForceMaximaOfItsPoints) {
   std::vector<double> hz;
   for (int quarter = 4 * 20; quarter <= 4 * 35; ++quarter) hz.push_back(0.25 * quarter);
   const double natural = 24.97;
-  const auto surface = studies::force_surface(
-      studies::friction_limit(paper()),
-      studies::critical_amplitude_curve(paper().beam, paper().friction, paper().numerics, hz), {natural});
+  const auto surface = studies::force_surface(studies::friction_limit(paper()),
+                                              studies::critical_amplitude_curve(paper(), hz), {natural});
   // Every hertz, and the 12 quarters between 23 and 26.97 Hz.
   EXPECT_EQ(surface.size(), 16U + 12U);
   for (const double at : {25.0, 35.0}) {

@@ -174,17 +174,19 @@ struct Setting {
   double duration{};
 };
 
-data::NumericalSettings numerics_of(const Setting& setting) {
+data::Case problem_of(const Setting& setting) {
   data::NumericalChoices choices = paper_choices(setting.duration);
   choices.elements = setting.elements;
   choices.spectral_radius = setting.spectral_radius;
   choices.time_step = setting.time_step;
-  return data::NumericalSettings(choices);
+  data::Case problem = paper_problem(25.0, 1e-3);
+  problem.numerics = data::NumericalSettings(choices);
+  problem.damping = setting.damping;
+  return problem;
 }
 
 std::vector<SchemeRun> compare(const Setting& setting) {
-  return studies::compare_schemes(paper_beam(), paper_friction(), shaking(25.0, 1e-3), numerics_of(setting),
-                                  setting.damping);
+  return studies::compare_schemes(problem_of(setting));
 }
 
 // Until the first slip all three are the same stick run; the others notice the excess at the end of its step.
@@ -207,8 +209,8 @@ TEST(ContactSchemes, WithoutLocationFindThePlateaus) {
   const std::vector<studies::Plateau>&located = runs[0].plateaus, &late = runs[1].plateaus;
   ASSERT_EQ(located.size(), 7u);
   ASSERT_EQ(late.size(), 7u);
-  const solver::BeamSimulation beam(paper_beam(), paper_friction(), shaking(25.0, 1e-3),
-                                    numerics_of(setting));
+  const data::Case problem = problem_of(setting);
+  const solver::BeamSimulation beam(problem.beam, problem.friction, problem.excitation, problem.numerics);
   const double contact_mass = beam.integrator().contact_mass();
   const double back = 0.5 * (600.0 / contact_mass) * 1e-8;
   for (std::size_t i = 0; i < 7; ++i)
