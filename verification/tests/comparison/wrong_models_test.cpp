@@ -888,8 +888,8 @@ TEST(Diagnosis, NamesThoseTogetherThatTheObservationCannotTellApart) {
   EXPECT_TRUE(names(diagnosis, "reaction-without-follower-term"));
   EXPECT_FALSE(names(diagnosis, "follower-term-sign"));
   const std::string text = diagnosis.sentence;
-  EXPECT_NE(text.find("like 'dead-load' (P keeps its direction"), std::string::npos) << text;
-  EXPECT_NE(text.find("it could as well be 'reaction-without-follower-term'"), std::string::npos) << text;
+  EXPECT_TRUE(holds(text, "like 'dead-load' (P keeps its direction"));
+  EXPECT_TRUE(holds(text, "it could as well be 'reaction-without-follower-term'"));
 }
 
 TEST(Diagnosis, NamesNobodyWhereTheTruthIsNotKnown) {

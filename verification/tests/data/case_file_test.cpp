@@ -115,10 +115,6 @@ class CaseFile : public ::testing::Test {
   const testing::InputFolder folder_;
 };
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 STICKSLIP_VERIFIES(CaseFile, "P1");
 TEST_F(CaseFile, IsReadKeyByKey) {
   const auto problem = data::read_case(write(valid_case()));
@@ -156,7 +152,7 @@ TEST_F(CaseFile, IsDampedByAnOverrideWithoutATableOfItsOwn) {
   EXPECT_EQ(override_error(undamped, "damping.ration=0.1"),
             "unknown key damping.ration (did you mean damping.ratio?) with the value 0.1 (a float), but "
             "[damping] has the keys kelvin_voigt, ratio");
-  EXPECT_TRUE(contains(override_error(undamped, "length=1.8"), "but a case has the tables beam"));
+  EXPECT_TRUE(holds(override_error(undamped, "length=1.8"), "but a case has the tables beam"));
 }
 
 TEST_F(CaseFile, TakesAContactThatYieldsInOneWay) {
@@ -268,7 +264,7 @@ TEST_F(CaseFile, RefusesWhatIsNoText) {
 TEST_F(CaseFile, MessagesStayOnOneShortLine) {
   const std::string sentence = error_message(
       case_with("beam.length", "length = \"\"\"line\nline\x7F" + std::string(500, 'x') + "\"\"\"\n"));
-  EXPECT_FALSE(contains(sentence, "\n"));
+  EXPECT_FALSE(holds(sentence, "\n"));
   EXPECT_LT(sentence.size(), 200U);
 }
 
@@ -647,7 +643,7 @@ TEST_F(CaseFile, IsFoundInTheUsualFolderByDefault) {
 TEST_F(CaseFile, AFolderWithoutCasesIsRefused) {
   const DataFolder chosen(folder().string());
   EXPECT_TRUE(
-      contains(error_message_of([] { static_cast<void>(data::list_cases()); }), "STICKSLIP_DATA must name"));
+      holds(error_message_of([] { static_cast<void>(data::list_cases()); }), "STICKSLIP_DATA must name"));
 }
 
 }  // namespace

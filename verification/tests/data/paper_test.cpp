@@ -149,7 +149,7 @@ class MalformedPaperFile : public ::testing::Test {
 
   void expect_refused(const std::string& text, const std::string& part) const {
     const std::string sentence = error_message(text);
-    EXPECT_NE(sentence.find(part), std::string::npos) << sentence;
+    EXPECT_TRUE(testing::holds(sentence, part));
   }
 
   static std::string number(const std::string& value, const std::string& printed,

@@ -85,10 +85,6 @@ class ReferenceReader : public ::testing::Test {
   const InputFolder folder_;
 };
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 STICKSLIP_VERIFIES(ReferenceReader, "P5");
 TEST_F(ReferenceReader, ReturnsWhatAPackageSays) {
   write_package(valid_package());
@@ -344,7 +340,7 @@ TEST_F(ReferenceReader, RefusesEveryDefectOfAPackageAtItsPlace) {
     for (const Defect& defect : defects) {
       write_package(spoiled(defect));
       const std::string sentence = error_message();
-      EXPECT_TRUE(contains(sentence, defect.part))
+      EXPECT_TRUE(holds(sentence, defect.part))
           << ::testing::PrintToString(defect.changes) << ": " << sentence;
       EXPECT_TRUE(sentence.starts_with("datapackage.json: ")) << sentence;
     }
@@ -367,14 +363,14 @@ TEST_F(ReferenceReader, RefusesDigestsAndSizesThatAreNone) {
     return error_message("history");
   };
   for (const char* hash : {"sha256:12", "md5:0", "", "sha256:"})
-    EXPECT_TRUE(contains(with("hash", hash), "hash is \"")) << with("hash", hash);
+    EXPECT_TRUE(holds(with("hash", hash), "hash is \"")) << with("hash", hash);
   for (const char* key : {"bytes", "hash"})
-    EXPECT_TRUE(contains(with(key, nullptr), std::string("history lacks ") + key)) << with(key, nullptr);
-  EXPECT_TRUE(contains(with("hash", "sha256:" + std::string(64, 'g')), "64 hexadecimal digits"));
-  EXPECT_TRUE(contains(with("bytes", 0), "bytes is 0, but must be an integer above 0"));
-  EXPECT_TRUE(contains(with("bytes", "12"), "bytes is \"12\", but must be an integer"));
-  EXPECT_TRUE(contains(with("bytes", 7), "history.csv: its size is")) << with("bytes", 7);
-  EXPECT_TRUE(contains(with("hash", "sha256:" + std::string(64, '0')), "its SHA-256 digest is"));
+    EXPECT_TRUE(holds(with(key, nullptr), std::string("history lacks ") + key)) << with(key, nullptr);
+  EXPECT_TRUE(holds(with("hash", "sha256:" + std::string(64, 'g')), "64 hexadecimal digits"));
+  EXPECT_TRUE(holds(with("bytes", 0), "bytes is 0, but must be an integer above 0"));
+  EXPECT_TRUE(holds(with("bytes", "12"), "bytes is \"12\", but must be an integer"));
+  EXPECT_TRUE(holds(with("bytes", 7), "history.csv: its size is")) << with("bytes", 7);
+  EXPECT_TRUE(holds(with("hash", "sha256:" + std::string(64, '0')), "its SHA-256 digest is"));
 }
 
 TEST_F(ReferenceReader, RefusesEveryDefectOfATableAtItsPlace) {

@@ -417,7 +417,7 @@ TEST(ShearEffect, IsInTheWarningOfAThickBeam) {
     return found == warnings.end() ? std::string() : found->sentence;
   };
   const std::string sentence = thick_beam(studies::problem_warnings(thick, studies::Inquiry::criterion));
-  EXPECT_NE(sentence.find(studies::shear_effect(thick)), std::string::npos) << sentence;
+  EXPECT_TRUE(holds(sentence, studies::shear_effect(thick)));
   data::Case sheared = thick;
   sheared.beam = studies::with_shear(thick.beam);
   const auto criterion = criterion_of(sheared), slender = criterion_of(thick);

@@ -295,7 +295,7 @@ TEST(GrowthWarning, BeginsWhereRoundingReachesTheMotion) {
     if (!found) continue;
     EXPECT_EQ(found->value, bound);
     EXPECT_DOUBLE_EQ(found->limit, bound / share);
-    EXPECT_NE(found->sentence.find("for the beam sigma* is 30 1/s"), std::string::npos) << found->sentence;
+    EXPECT_TRUE(holds(found->sentence, "for the beam sigma* is 30 1/s"));
     EXPECT_EQ(found->sentence.find("any discretisation"), std::string::npos) << found->sentence;
   }
 }

@@ -3,20 +3,12 @@
 
 /// The command line, run as a program. STICKSLIP_PROGRAM is its path.
 
-#include <fmt/format.h>
-#include <gtest/gtest.h>
 #include <sys/wait.h>
 
-#include <algorithm>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
-#include <string>
-#include <vector>
 
 #include "stickslip/data/atomic_file.hpp"
+#include "support/testing.hpp"
 
 namespace stickslip::testing {
 
@@ -30,11 +22,6 @@ inline std::string contents(const std::filesystem::path& file) {
   std::ostringstream text;
   text << stream.rdbuf();
   return text.str();
-}
-
-inline ::testing::AssertionResult holds(const std::string& text, const std::string& part) {
-  if (text.find(part) != std::string::npos) return ::testing::AssertionSuccess();
-  return ::testing::AssertionFailure() << "'" << part << "' is not in\n" << text;
 }
 
 /// Each test works in an empty folder of its own, so that a file needs no path.

@@ -38,6 +38,11 @@
 
 namespace stickslip::testing {
 
+inline ::testing::AssertionResult holds(const std::string& text, const std::string& part) {
+  if (text.find(part) != std::string::npos) return ::testing::AssertionSuccess();
+  return ::testing::AssertionFailure() << "'" << part << "' is not in\n" << text;
+}
+
 /// The message of the Error that the action throws, if it throws one.
 template <class Error>
 std::optional<std::string> error_message_if_any(const std::function<void()>& action) {
