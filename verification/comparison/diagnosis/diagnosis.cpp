@@ -119,11 +119,6 @@ class Search {
            numbers.contains("axial_force");
   }
 
-  // k G A.
-  static double shear_stiffness(const data::Beam& beam, double coefficient, double poisson_ratio) {
-    return coefficient * beam.youngs_modulus() * beam.area() / (2.0 * (1.0 + poisson_ratio));
-  }
-
   // Whether the data set has a steady vibration with damping at each frequency.
   [[nodiscard]] bool is_of_steady_state() const {
     return rule_ == nullptr && reference_.resource.field("heat") != nullptr &&
@@ -173,8 +168,8 @@ class Search {
   [[nodiscard]] std::optional<MergedFinding> finding_of(const Question& question) const {
     auto relation =
         nearest_of({&Search::mass_numbers, &Search::relations, &Search::relations_in_sequence,
-                    &Search::single_values, &Search::other_beams, &Search::other_columns, &Search::all_zeros,
-                    &Search::data_sets_within_tolerance, &Search::other_places},
+                    &Search::single_values, &Search::other_theories, &Search::other_columns,
+                    &Search::all_zeros, &Search::data_sets_within_tolerance, &Search::other_places},
                    question);
     // A factor that was fitted and leaves more than the tolerance may be the trace of a wrong number.
     if (relation && !(relation->diagnosis.named.front() == "constant-factor" &&
@@ -377,52 +372,10 @@ class Search {
 
   [[nodiscard]] bool is_free() const { return reference_.resource.stated.tip == "free"; }
 
-  // Frequencies of a beam with other parts of Timoshenko's theory than this one. Both are computed on a mesh.
-  [[nodiscard]] Candidates other_beams(const Question& question) const {
-    const ComparedValues& values = question.values;
-    if (question.beam() == nullptr || values.unit != "Hz" || values.abscissa_name != "mode") return {};
-    const data::Beam& beam = *question.beam();
-    const auto frequencies = [&](double share_of_rotary_inertia, double stiffness) {
-      data::BeamProperties properties = beam.properties();
-      properties.area /= share_of_rotary_inertia;  // rho A as it is, I/A less
-      properties.density *= share_of_rotary_inertia;
-      properties.shear_stiffness = stiffness;
-      return mesh_frequencies(data::Beam(properties), 40, is_free(),
-                              static_cast<int>(std::ranges::max(values.abscissa)));
-    };
-    constexpr double none = 1e-6, all = 1.0, rigid = 1e6;
-    const double coefficient = 5.0 / 6.0, ratio = 0.3, usual = shear_stiffness(beam, coefficient, ratio);
-    const bool is_timoshenko = is_of_timoshenko_beams();
-    const auto right = is_timoshenko ? frequencies(all, usual) : frequencies(none, rigid * usual);
-    Candidates found;
-    const auto add = [&](const std::vector<double>& wrong, const std::string& sentence) {
-      Hypothesis one{.name = "other-beam", .values = {}, .sentence = sentence};
-      for (std::size_t i = 0; i < values.reference.size(); ++i) {
-        const auto mode = static_cast<std::size_t>(values.abscissa[i]);
-        one.values.push_back(mode > std::min(wrong.size(), right.size())
-                                 ? std::numeric_limits<double>::quiet_NaN()
-                                 : values.reference[i] * wrong[mode - 1] / right[mode - 1]);
-      }
-      if (auto near = accepted(values, one, 12)) found.push_back(*std::move(near));
-    };
-    add(frequencies(all, rigid * usual), "like a beam with rotary inertia and without shear (Rayleigh's)");
-    add(frequencies(none, usual), "like a beam with shear and without rotary inertia");
-    if (!is_timoshenko) {
-      add(frequencies(all, usual), "like a Timoshenko beam with k = 5/6 and nu = 0.3");
-      return found;
-    }
-    add(frequencies(none, rigid * usual), "like a beam of Euler and Bernoulli");
-    for (const auto& [text, k, nu] : {std::tuple{"k = 1", 1.0, ratio},
-                                      {"Cowper's k = 10 (1 + nu)/(12 + 11 nu)", 13.0 / 15.3, ratio},
-                                      {"Mindlin's k = pi^2/12", 9.869604401089358 / 12.0, ratio},
-                                      {"nu = 0, G = E/2", coefficient, 0.0},
-                                      {"nu = 0.2", coefficient, 0.2},
-                                      {"nu = 0.25", coefficient, 0.25},
-                                      {"nu = 1/3", coefficient, 1.0 / 3.0},
-                                      {"nu = 0.5", coefficient, 0.5}})
-      add(frequencies(all, shear_stiffness(beam, k, nu)),
-          fmt::format("like a Timoshenko beam with {}", text));
-    return found;
+  [[nodiscard]] Candidates other_theories(const Question& question) const {
+    return question.beam() == nullptr
+               ? Candidates()
+               : other_beams(question.values, *question.beam(), is_free(), is_of_timoshenko_beams());
   }
 
   // --- another column, single values

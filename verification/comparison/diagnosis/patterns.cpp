@@ -10,6 +10,7 @@
 #include <limits>
 #include <numbers>
 #include <set>
+#include <tuple>
 
 #include "comparison/samples.hpp"
 #include "stickslip/solver/modal_analysis.hpp"
@@ -321,6 +322,21 @@ double squared_wave_number(const data::Beam& beam, double hz) {
          std::sqrt(beam.density() * beam.area() / (beam.youngs_modulus() * beam.second_moment_of_area()));
 }
 
+// The lowest natural frequencies on a mesh of cubic Hermite elements, Hz, as many as the mesh has but at most `count`;
+// empty if one is complex.
+Values mesh_frequencies(const data::Beam& beam, int elements, bool is_slip, int count) {
+  const solver::BeamModel mesh(beam, elements);
+  const int most = static_cast<int>(mesh.degrees_of_freedom()) - (is_slip ? 0 : 1);
+  Values hz;
+  try {
+    for (const auto& mode : (is_slip ? solver::slip_modes : solver::stick_modes)(mesh, std::min(count, most)))
+      hz.push_back(mode.angular_frequency / two_pi);
+  } catch (const data::InputError&) {
+    return {};
+  }
+  return hz;
+}
+
 // The mesh of Hermite elements whose frequencies are theirs. The leading error (beta l)^4/1440 of a frequency gives
 // the number of elements of the smallest error that is still above round-off, to one.
 Found hermite_mesh(const ComparedValues& values, const data::Beam& beam, bool is_slip) {
@@ -391,19 +407,6 @@ std::string fourth_power_growth(double coefficient, const data::Beam* beam) {
 
 }  // namespace
 
-Values mesh_frequencies(const data::Beam& beam, int elements, bool is_slip, int count) {
-  const solver::BeamModel mesh(beam, elements);
-  const int most = static_cast<int>(mesh.degrees_of_freedom()) - (is_slip ? 0 : 1);
-  Values hz;
-  try {
-    for (const auto& mode : (is_slip ? solver::slip_modes : solver::stick_modes)(mesh, std::min(count, most)))
-      hz.push_back(mode.angular_frequency / two_pi);
-  } catch (const data::InputError&) {
-    return {};
-  }
-  return hz;
-}
-
 Found pattern_of(const ComparedValues& values, const data::Beam* beam, bool is_slip) {
   if (values.theirs == values.reference) return {};
   if (auto found = is_angle(values.unit, values.norm) ? angle_of(values) : factor_of(values)) return found;
@@ -468,6 +471,54 @@ Found growth_of(const ComparedValues& values, const data::Beam* beam) {
         .from_reference = std::ranges::max(errors)};
   }
   return {};
+}
+
+std::vector<Hypothesis> other_beams(const ComparedValues& values, const data::Beam& beam, bool is_slip,
+                                    bool is_timoshenko) {
+  if (values.unit != "Hz" || values.abscissa_name != "mode") return {};
+  const auto frequencies = [&](double share_of_rotary_inertia, double stiffness) {
+    data::BeamProperties properties = beam.properties();
+    properties.area /= share_of_rotary_inertia;  // rho A as it is, I/A less
+    properties.density *= share_of_rotary_inertia;
+    properties.shear_stiffness = stiffness;
+    return mesh_frequencies(data::Beam(properties), 40, is_slip,
+                            static_cast<int>(std::ranges::max(values.abscissa)));
+  };
+  constexpr double none = 1e-6, all = 1.0, rigid = 1e6;
+  const double coefficient = 5.0 / 6.0, ratio = 0.3, usual = shear_stiffness(beam, coefficient, ratio);
+  const auto right = is_timoshenko ? frequencies(all, usual) : frequencies(none, rigid * usual);
+  std::vector<Hypothesis> found;
+  const auto add = [&](const std::vector<double>& wrong, const std::string& sentence) {
+    Hypothesis one{.name = "other-beam", .values = {}, .sentence = sentence};
+    for (std::size_t i = 0; i < values.reference.size(); ++i) {
+      const auto mode = static_cast<std::size_t>(values.abscissa[i]);
+      one.values.push_back(mode > std::min(wrong.size(), right.size())
+                               ? nothing
+                               : values.reference[i] * wrong[mode - 1] / right[mode - 1]);
+    }
+    if (auto near = accepted(values, one, 12)) found.push_back(*std::move(near));
+  };
+  add(frequencies(all, rigid * usual), "like a beam with rotary inertia and without shear (Rayleigh's)");
+  add(frequencies(none, usual), "like a beam with shear and without rotary inertia");
+  if (!is_timoshenko) {
+    add(frequencies(all, usual), "like a Timoshenko beam with k = 5/6 and nu = 0.3");
+    return found;
+  }
+  add(frequencies(none, rigid * usual), "like a beam of Euler and Bernoulli");
+  for (const auto& [text, k, nu] : {std::tuple{"k = 1", 1.0, ratio},
+                                    {"Cowper's k = 10 (1 + nu)/(12 + 11 nu)", 13.0 / 15.3, ratio},
+                                    {"Mindlin's k = pi^2/12", 9.869604401089358 / 12.0, ratio},
+                                    {"nu = 0, G = E/2", coefficient, 0.0},
+                                    {"nu = 0.2", coefficient, 0.2},
+                                    {"nu = 0.25", coefficient, 0.25},
+                                    {"nu = 1/3", coefficient, 1.0 / 3.0},
+                                    {"nu = 0.5", coefficient, 0.5}})
+    add(frequencies(all, shear_stiffness(beam, k, nu)), fmt::format("like a Timoshenko beam with {}", text));
+  return found;
+}
+
+double shear_stiffness(const data::Beam& beam, double coefficient, double poisson_ratio) {
+  return coefficient * beam.youngs_modulus() * beam.area() / (2.0 * (1.0 + poisson_ratio));
 }
 
 }  // namespace stickslip::comparison

@@ -21,16 +21,19 @@ namespace stickslip::comparison {
 [[nodiscard]] std::optional<Hypothesis> pattern_of(const ComparedValues& values,
                                                    const data::Beam* beam = nullptr, bool is_slip = false);
 
-/// The lowest natural frequencies on a mesh of cubic Hermite elements, Hz, as many as the mesh has but at most `count`;
-/// empty if one is complex.
-[[nodiscard]] std::vector<double> mesh_frequencies(const data::Beam& beam, int elements, bool is_slip,
-                                                   int count);
-
 /// Values that all are below 1e-4 of the largest of the data set.
 [[nodiscard]] std::optional<Hypothesis> zeros_of(const ComparedValues& values);
 
 /// A relative error c beta^4 or c beta^2 of natural frequencies, which go with beta^2: one c to 25 % (empirical)
 /// over at least three modes that span a factor of three. With `beam` the number of elements is told.
 [[nodiscard]] std::optional<Hypothesis> growth_of(const ComparedValues& values, const data::Beam* beam);
+
+/// Frequencies (Hz over "mode") of a beam with other parts of Timoshenko's theory: those that are accepted. Those of the data set
+/// are by Euler and Bernoulli or, with `is_timoshenko`, with κ = 5/6 and ν = 0.3. Both are computed on a mesh.
+[[nodiscard]] std::vector<Hypothesis> other_beams(const ComparedValues& values, const data::Beam& beam,
+                                                  bool is_slip, bool is_timoshenko);
+
+/// κ G A, N.
+[[nodiscard]] double shear_stiffness(const data::Beam& beam, double coefficient, double poisson_ratio);
 
 }  // namespace stickslip::comparison
