@@ -8,7 +8,6 @@
 #include <numbers>
 
 #include "arguments.hpp"
-#include "stickslip/analytic/force_maximum.hpp"
 
 namespace stickslip::analytic {
 namespace {

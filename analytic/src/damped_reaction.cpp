@@ -14,7 +14,6 @@
 #include "special_functions.hpp"
 #include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/analytic/contact_dynamics.hpp"
-#include "stickslip/analytic/force_maximum.hpp"
 #include "stickslip/analytic/timoshenko_modes.hpp"
 
 namespace stickslip::analytic {

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "arguments.hpp"
 #include "beam_constants.hpp"
 #include "special_functions.hpp"
 

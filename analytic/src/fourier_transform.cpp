@@ -2,7 +2,6 @@
 #include "fourier_transform.hpp"
 
 #include <algorithm>
-#include <complex>
 #include <mutex>
 #include <new>
 

@@ -2,7 +2,6 @@
 #include "stickslip/analytic/modal_contact_run.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>

@@ -13,7 +13,6 @@
 #include "arguments.hpp"
 #include "friction_in_slip.hpp"
 #include "gsl_handles.hpp"
-#include "stickslip/analytic/steady_sliding.hpp"
 #include "stickslip/analytic/stick_propagator.hpp"
 
 namespace stickslip::analytic {

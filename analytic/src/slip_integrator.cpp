@@ -11,7 +11,6 @@
 
 #include "arguments.hpp"
 #include "friction_in_slip.hpp"
-#include "gsl_handles.hpp"
 #include "root_finding.hpp"
 
 namespace stickslip::analytic {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "special_functions.hpp"
 
-#include <cmath>
-
 namespace stickslip::analytic {
 namespace {
 

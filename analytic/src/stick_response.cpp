@@ -13,7 +13,6 @@
 #include "beam_constants.hpp"
 #include "exact_steady_part.hpp"
 #include "special_functions.hpp"
-#include "stickslip/analytic/force_maximum.hpp"
 
 namespace stickslip::analytic {
 namespace {

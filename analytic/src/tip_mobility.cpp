@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "arguments.hpp"
 #include "beam_constants.hpp"
 
 namespace stickslip::analytic {

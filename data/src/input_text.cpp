@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "stickslip/data/case_file.hpp"
+#include "stickslip/data/input_error.hpp"
 
 namespace stickslip::data {
 

@@ -8,7 +8,6 @@
 #include <limits>
 #include <set>
 #include <stdexcept>
-#include <string_view>
 
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/data/toml_file.hpp"

@@ -7,7 +7,6 @@
 #include <numeric>
 #include <set>
 #include <stdexcept>
-#include <utility>
 
 #include "json_file.hpp"
 #include "stickslip/data/case_file.hpp"

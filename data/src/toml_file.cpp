@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "stickslip/data/toml_file.hpp"
 
-#include <algorithm>
 #include <locale>
 #include <sstream>
 
-#include "stickslip/data/case_file.hpp"
-#include "stickslip/data/input_text.hpp"
 #include "stickslip/data/units.hpp"
 
 namespace stickslip::data {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <optional>
 #include <string>
 
 #include "case_options.hpp"

@@ -5,7 +5,6 @@
 
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/data/csv_text.hpp"
-#include "stickslip/data/input_text.hpp"
 
 namespace stickslip::cli {
 

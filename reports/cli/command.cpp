@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <utility>
 
 #include "stickslip/data/input_text.hpp"
 #include "stickslip/data/units.hpp"

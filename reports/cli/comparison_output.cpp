@@ -7,7 +7,8 @@
 #include <algorithm>
 #include <pugixml.hpp>
 #include <sstream>
-#include <vector>
+
+#include "range_text.hpp"
 
 namespace stickslip::cli {
 
@@ -196,6 +197,7 @@ std::string junit_of(const std::vector<Judged>& all) {
   document.save(text, "  ");
   return text.str();
 }
+
 Table table_with(std::string_view names) {
   Table table;
   for (const auto name : split(names, ' ')) table.columns.push_back({std::string(name), std::string(name)});
@@ -226,6 +228,5 @@ void add_comparisons(Answer& answer, const std::vector<validation::Comparison>& 
                   "resolved. Resolved: {} of {}; zero outside: {}.",
                   resolved, comparisons.size(), outside));
 }
-
 
 }  // namespace stickslip::cli

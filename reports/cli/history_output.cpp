@@ -11,7 +11,6 @@
 #include "render/drawing.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "studies/common/problem_parameter.hpp"
-#include "studies/history/history.hpp"
 
 namespace stickslip::cli {
 

@@ -9,9 +9,7 @@
 #include <system_error>
 
 #include "case_options.hpp"
-#include "command.hpp"
 #include "range_text.hpp"
-#include "render/criterion_map.hpp"
 #include "stickslip/data/atomic_file.hpp"
 #include "stickslip/data/input_text.hpp"
 

@@ -10,7 +10,6 @@
 #include <new>
 #include <sstream>
 #include <stdexcept>
-#include <string>
 #include <vector>
 
 #include "command.hpp"

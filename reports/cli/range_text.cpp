@@ -4,10 +4,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <string>
-#include <vector>
 
-#include "case_options.hpp"
 #include "stickslip/data/input_text.hpp"
 #include "stickslip/data/units.hpp"
 

@@ -8,7 +8,6 @@
 #include <string>
 #include <system_error>
 
-#include "case_options.hpp"
 #include "command.hpp"
 #include "commands.hpp"
 #include "stickslip/data/reference.hpp"

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "case_options.hpp"
 #include "command.hpp"
 #include "commands.hpp"
 #include "stickslip/version.hpp"

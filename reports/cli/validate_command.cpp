@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "case_options.hpp"
 #include "commands.hpp"
 #include "comparison_output.hpp"
 #include "program.hpp"

@@ -7,11 +7,7 @@
 #include <cstddef>
 #include <map>
 #include <optional>
-#include <string_view>
 #include <vector>
-
-#include "render/csv_table.hpp"
-#include "render/drawing.hpp"
 
 namespace stickslip::report {
 

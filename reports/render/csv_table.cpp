@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "stickslip/data/csv_text.hpp"
+#include "stickslip/data/input_error.hpp"
 
 namespace stickslip::report {
 

@@ -12,14 +12,11 @@
 #include <fstream>
 #include <initializer_list>
 #include <stdexcept>
-#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "render/external_tool.hpp"
-#include "render/output_folder.hpp"
-#include "render/report.hpp"
 #include "render/study_table.hpp"
 #include "stickslip/data/atomic_file.hpp"
 #include "stickslip/data/case_file.hpp"

@@ -8,7 +8,6 @@
 #include <system_error>
 
 #include "render/external_tool.hpp"
-#include "render/output_folder.hpp"
 #include "render/report.hpp"
 #include "stickslip/data/atomic_file.hpp"
 #include "stickslip/data/input_error.hpp"

@@ -11,7 +11,7 @@
 #include <system_error>
 
 #include "stickslip/data/atomic_file.hpp"
-#include "stickslip/data/case_file.hpp"
+#include "stickslip/data/input_error.hpp"
 
 namespace stickslip::report {
 

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <filesystem>
 
 #include "render/document.hpp"
 #include "render/drawing.hpp"

@@ -15,7 +15,6 @@
 #include "stickslip/analytic/event_driven.hpp"
 #include "stickslip/analytic/force_maximum.hpp"
 #include "stickslip/data/atomic_file.hpp"
-#include "stickslip/data/case_file.hpp"
 #include "stickslip/data/csv_text.hpp"
 #include "stickslip/data/paper.hpp"
 #include "stickslip/data/problem.hpp"
@@ -41,7 +40,6 @@
 #include "studies/verification/scope.hpp"
 #include "studies/verification/solution_verification.hpp"
 #include "studies/verification/time_order.hpp"
-#include "validation/study.hpp"
 
 // The members of the problem, and of what both implementations return, as studies hand them on.
 

@@ -7,7 +7,6 @@
 #include <numbers>
 #include <stdexcept>
 #include <string>
-#include <utility>
 
 #include "stickslip/solver/decompositions.hpp"
 #include "stickslip/solver/held_tip_basis.hpp"

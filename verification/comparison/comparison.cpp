@@ -7,10 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <numeric>
 #include <set>
-#include <utility>
 
 #include "comparison/event_sequence.hpp"
 #include "comparison/groups.hpp"

@@ -10,7 +10,7 @@
 #include <numeric>
 #include <set>
 
-#include "stickslip/data/case_file.hpp"
+#include "stickslip/data/input_error.hpp"
 
 namespace stickslip::comparison {
 

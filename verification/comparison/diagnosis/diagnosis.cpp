@@ -8,7 +8,6 @@
 #include <initializer_list>
 #include <limits>
 #include <map>
-#include <tuple>
 #include <utility>
 
 #include "comparison/diagnosis/patterns.hpp"

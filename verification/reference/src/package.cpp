@@ -11,7 +11,6 @@
 
 #include "sets.hpp"
 #include "stickslip/data/input_text.hpp"
-#include "stickslip/data/reference.hpp"
 
 namespace stickslip::reference {
 

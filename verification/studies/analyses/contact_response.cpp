@@ -3,14 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
-#include <cstddef>
 #include <optional>
 #include <stdexcept>
 #include <string>
 
 #include "stickslip/analytic/beam_contact_model.hpp"
-#include "stickslip/analytic/modal_contact_run.hpp"
 #include "stickslip/data/input_error.hpp"
 
 namespace stickslip::studies {

@@ -10,7 +10,6 @@
 #include "stickslip/analytic/damped_steady_state.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/analytic/timoshenko_modes.hpp"
-#include "stickslip/data/case_file.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "studies/analyses/natural_frequencies.hpp"
 #include "studies/analyses/problem_warnings.hpp"

@@ -7,15 +7,11 @@
 #include <array>
 #include <chrono>
 #include <cmath>
-#include <cstddef>
 #include <ctime>
 #include <limits>
 #include <numbers>
-#include <optional>
 #include <stdexcept>
 #include <string>
-#include <string_view>
-#include <vector>
 
 #include "stickslip/analytic/damped_reaction.hpp"
 #include "stickslip/analytic/force_maximum.hpp"

@@ -12,7 +12,6 @@
 #include "stickslip/data/problem.hpp"
 #include "studies/analyses/contact_response.hpp"
 #include "studies/common/members.hpp"
-#include "studies/common/problem_parameter.hpp"
 
 namespace stickslip::studies {
 

@@ -15,7 +15,6 @@
 #include "stickslip/analytic/stick_modes.hpp"
 #include "studies/analyses/length_force_map.hpp"
 #include "studies/common/parallel.hpp"
-#include "studies/common/problem_parameter.hpp"
 
 namespace stickslip::studies {
 

@@ -9,6 +9,7 @@
 
 #include "stickslip/analytic/slip_modes.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
+#include "stickslip/analytic/timoshenko_modes.hpp"
 #include "stickslip/solver/modal_analysis.hpp"
 
 namespace stickslip::studies {

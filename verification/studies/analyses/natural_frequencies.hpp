@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "stickslip/analytic/timoshenko_modes.hpp"
+#include "stickslip/analytic/damped_steady_state.hpp"
 #include "stickslip/data/problem.hpp"
 
 namespace stickslip::studies {

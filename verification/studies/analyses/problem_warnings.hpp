@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "stickslip/data/problem.hpp"
-#include "studies/common/problem_parameter.hpp"
 #include "studies/history/method.hpp"
 
 namespace stickslip::studies {

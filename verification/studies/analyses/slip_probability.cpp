@@ -14,7 +14,6 @@
 #include "stickslip/analytic/force_maximum.hpp"
 #include "stickslip/analytic/modal_reaction.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
-#include "stickslip/data/case_file.hpp"
 #include "studies/common/parallel.hpp"
 #include "studies/common/problem_parameter.hpp"
 

@@ -2,9 +2,7 @@
 #include "studies/common/discretisation.hpp"
 
 #include <Eigen/Dense>
-#include <algorithm>
 #include <cmath>
-#include <complex>
 #include <cstddef>
 
 #include "studies/common/problem_parameter.hpp"

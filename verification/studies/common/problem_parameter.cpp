@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "studies/common/problem_parameter.hpp"
 
-#include <numbers>
-
 namespace stickslip::studies {
 
 double angular_frequency(const data::HarmonicExcitation& excitation) {

@@ -8,12 +8,10 @@
 #include <cstddef>
 #include <future>
 #include <iterator>
-#include <optional>
 #include <stdexcept>
 #include <utility>
 
 #include "stickslip/data/reference.hpp"
-#include "studies/common/convergence.hpp"
 #include "studies/common/problem_parameter.hpp"
 #include "studies/history/contact_growth.hpp"
 #include "studies/history/method.hpp"

@@ -13,7 +13,6 @@
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/data/paper.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
-#include "studies/common/convergence.hpp"
 #include "studies/common/discretisation.hpp"
 #include "studies/common/parallel.hpp"
 #include "studies/common/problem_parameter.hpp"

@@ -2,11 +2,9 @@
 #include "studies/verification/energy_audit.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "stickslip/analytic/beam_contact_model.hpp"
-#include "stickslip/solver/beam_simulation.hpp"
 #include "studies/history/history.hpp"
 
 namespace stickslip::studies {

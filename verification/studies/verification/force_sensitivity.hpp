@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "stickslip/analytic/force_maximum.hpp"
-#include "stickslip/data/paper.hpp"
 #include "stickslip/data/problem.hpp"
 #include "studies/common/members.hpp"
 

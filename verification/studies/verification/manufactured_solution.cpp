@@ -4,10 +4,8 @@
 #include <gsl/gsl_integration.h>
 
 #include <Eigen/Dense>
-#include <array>
 #include <cmath>
 #include <complex>
-#include <cstddef>
 #include <limits>
 #include <memory>
 #include <numbers>

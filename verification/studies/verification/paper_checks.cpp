@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "studies/verification/paper_checks.hpp"
 
-#include <fmt/format.h>
-
 #include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <cmath>
 
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/analytic/stick_response.hpp"
@@ -16,7 +13,6 @@
 #include "studies/analyses/length_force_map.hpp"
 #include "studies/common/discretisation.hpp"
 #include "studies/common/problem_parameter.hpp"
-#include "studies/verification/force_maximum.hpp"
 #include "studies/verification/frequencies.hpp"
 
 namespace stickslip::studies {

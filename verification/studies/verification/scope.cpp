@@ -8,7 +8,6 @@
 
 #include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/damped_steady_state.hpp"
-#include "stickslip/analytic/force_maximum.hpp"
 #include "stickslip/analytic/stick_response.hpp"
 #include "studies/analyses/problem_warnings.hpp"
 #include "studies/common/parallel.hpp"

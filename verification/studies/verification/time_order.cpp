@@ -7,7 +7,6 @@
 #include <complex>
 #include <numbers>
 
-#include "stickslip/data/problem.hpp"
 #include "stickslip/solver/stick_slip_integrator.hpp"
 #include "studies/common/discretisation.hpp"
 #include "studies/history/method.hpp"

@@ -5,22 +5,11 @@
 /// these accept gives finite numbers.
 
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <fnmatch.h>
-#include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
 #include <iostream>
-#include <map>
-#include <set>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "comparison/diagnosis/diagnosis.hpp"
 #include "program.hpp"

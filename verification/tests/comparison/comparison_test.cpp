@@ -4,7 +4,6 @@
 
 #include "comparison/diagnosis/wrong_models.hpp"
 #include "own_copy.hpp"
-#include "stickslip/data/case_file.hpp"
 #include "support/testing.hpp"
 
 namespace stickslip::testing {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// What a result that differs from a published data set looks like: files of known mistakes.
 
-#include <initializer_list>
 #include <random>
 
 #include "comparison/diagnosis/patterns.hpp"

@@ -3,15 +3,6 @@
 
 /// A data set as its own result, and what a comparison says about it.
 
-#include <algorithm>
-#include <cstddef>
-#include <filesystem>
-#include <functional>
-#include <numeric>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "comparison/diagnosis/diagnosis.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "support/testing.hpp"

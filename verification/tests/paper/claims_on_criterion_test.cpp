@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// Claims of the paper on the criterion and on the critical amplitude.
 
-#include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/data/paper.hpp"

@@ -3,7 +3,6 @@
 
 #include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
-#include "stickslip/data/paper.hpp"
 #include "studies/analyses/length_force_map.hpp"
 #include "support/claims.hpp"
 #include "support/paper_case.hpp"

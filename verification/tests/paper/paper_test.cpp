@@ -3,7 +3,6 @@
 
 #include "stickslip/data/paper.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
-#include "stickslip/solver/beam_simulation.hpp"
 #include "stickslip/solver/modal_analysis.hpp"
 #include "studies/verification/paper_checks.hpp"
 #include "studies/verification/stick_sum.hpp"

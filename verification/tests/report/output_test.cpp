@@ -7,7 +7,6 @@
 #include "render/output_folder.hpp"
 #include "render/report.hpp"
 #include "stickslip/data/atomic_file.hpp"
-#include "stickslip/data/case_file.hpp"
 #include "support/command_line.hpp"
 #include "support/testing.hpp"
 

@@ -1,15 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// The templates of the report: what is filled in, and what is refused.
 
-#include <gtest/gtest.h>
-
-#include <cstdlib>
-#include <filesystem>
-#include <limits>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
-#include <string>
-#include <vector>
 
 #include "render/document.hpp"
 #include "render/output_folder.hpp"

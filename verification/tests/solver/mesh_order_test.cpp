@@ -7,7 +7,6 @@
 #include "stickslip/analytic/tip_mobility.hpp"
 #include "stickslip/solver/beam_model.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
-#include "stickslip/solver/modal_analysis.hpp"
 #include "studies/common/convergence.hpp"
 #include "studies/verification/frequencies.hpp"
 #include "studies/verification/manufactured_solution.hpp"

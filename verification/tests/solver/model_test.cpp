@@ -9,7 +9,6 @@
 #include "stickslip/solver/beam_model.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "stickslip/solver/modal_analysis.hpp"
-#include "studies/common/convergence.hpp"
 #include "support/testing.hpp"
 
 namespace stickslip::testing {

@@ -4,8 +4,6 @@
 
 #include "studies/verification/scope.hpp"
 
-#include <numbers>
-
 #include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/modal_reaction.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
@@ -13,7 +11,6 @@
 #include "stickslip/solver/beam_simulation.hpp"
 #include "stickslip/solver/modal_analysis.hpp"
 #include "studies/analyses/problem_warnings.hpp"
-#include "studies/common/discretisation.hpp"
 #include "studies/common/problem_parameter.hpp"
 #include "studies/history/history_convergence.hpp"
 #include "studies/history/method.hpp"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "support/contact_models.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <numbers>

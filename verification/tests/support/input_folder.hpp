@@ -3,13 +3,6 @@
 
 /// Folders of the tests, and the sentence that refuses an input file.
 
-#include <gtest/gtest.h>
-
-#include <filesystem>
-#include <fstream>
-#include <functional>
-#include <string>
-
 #include "stickslip/data/atomic_file.hpp"
 #include "stickslip/data/input_error.hpp"
 #include "support/testing.hpp"

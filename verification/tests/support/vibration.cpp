@@ -5,8 +5,6 @@
 #include <cmath>
 #include <complex>
 
-#include "stickslip/solver/beam_simulation.hpp"
-
 namespace stickslip::testing {
 
 double finite_element_steady_force(const data::Case& problem, int elements) {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// The models of the experiments against both implementations, and what the comparison found.
 
-#include <cstdlib>
-
+#include "validation/models.hpp"
 #include "stickslip/analytic/event_driven.hpp"
 #include "stickslip/analytic/slip_modes.hpp"
 #include "stickslip/data/input_error.hpp"
@@ -10,7 +9,6 @@
 #include "support/contact_models.hpp"
 #include "support/input_folder.hpp"
 #include "support/testing.hpp"
-#include "validation/models.hpp"
 #include "validation/study.hpp"
 
 namespace stickslip::testing {

@@ -5,7 +5,6 @@
 
 #include <cstdint>
 #include <cstring>
-#include <fstream>
 #include <random>
 
 #include "stickslip/data/input_error.hpp"
