@@ -29,7 +29,6 @@ void set_most_digits(int digits);
 /// they share none.
 [[nodiscard]] std::string common_digits(const analytic::Bounds& bounds);
 
-/// A value as JSON and as text.
 struct Value {
   Json json;
   std::string text;
@@ -104,7 +103,6 @@ struct Answer {
 /// data::throw_overflow().
 void require_finite(const Json& answer, const std::string& name = "the answer");
 
-/// One JSON object on standard output.
 void print_json(const Json& object);
 
 }  // namespace stickslip::cli

@@ -29,7 +29,6 @@ struct Command {
   Answer (*run)(const Options& options, Outputs& outputs) = nullptr;
 };
 
-/// Ends the help of a command with example command lines.
 void add_examples(CLI::App& command, const std::vector<std::string>& lines);
 
 /// Prints the answer. Throws CLI::RuntimeError with the status of the answer if that is not 0.
@@ -57,7 +56,6 @@ void add(CLI::App& app, const Command<Options>& command) {
   });
 }
 
-/// Adds a warning, if there is one.
 void add_warning(Answer& answer, const std::optional<std::string>& warning);
 
 /// "stickslip 1.0.0 (commit ...)", and the words that it was called with.

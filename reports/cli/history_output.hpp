@@ -22,7 +22,6 @@ struct HistoryOptions {
   std::string output = "-", events, spectrum, figure;
 };
 
-/// Writes a history, its rows as they come.
 class HistoryOutput {
  public:
   /// Opens the files. Throws data::InputError for rows that a history cannot have, and as Outputs::open().

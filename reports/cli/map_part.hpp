@@ -56,7 +56,6 @@ struct MapPart {
 [[nodiscard]] std::vector<const studies::MotionQuantity*> quantities_named(
     const std::vector<std::string_view>& names);
 
-/// The names of the quantities, with commas between them.
 [[nodiscard]] std::string names_of(const std::vector<const studies::MotionQuantity*>& quantities);
 
 /// The text of a file with all evaluations of a part.
@@ -114,7 +113,6 @@ class UnfinishedMap {
   /// map cannot be finished then; any other exception leaves it for the next run.
   void remove_if_impossible(const std::function<void()>& work);
 
-  /// Removes the file.
   void remove();
 
  private:

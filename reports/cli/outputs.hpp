@@ -30,7 +30,6 @@ class Outputs {
     std::string option, path;
   };
 
-  /// Of a subcommand whose arguments have been read.
   explicit Outputs(const CLI::App& command);
   ~Outputs();
   Outputs(const Outputs&) = delete;

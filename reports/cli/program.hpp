@@ -13,7 +13,6 @@ class ParseError;
 
 namespace stickslip::cli {
 
-/// With what the program ends.
 enum ExitStatus : int {
   done = 0,
   failed = 1,    ///< a check, a run or the program itself

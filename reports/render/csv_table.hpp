@@ -25,7 +25,6 @@ class CsvTable {
   /// for a text as add_row().
   CsvTable& add(std::string_view cell);
   CsvTable& add(std::optional<double> value);
-  /// Throws std::invalid_argument as add_row().
   void end_row();
 
   /// Makes room for text of this length in all, so that it need not move as it grows.

@@ -8,7 +8,6 @@
 
 namespace stickslip::report {
 
-/// The program is not on the search path.
 class ToolMissing : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -14,7 +14,6 @@ class OutputFolder {
   /// Makes the folder and an empty scratch folder in it. Throws data::InputError, naming the folder, if that
   /// is impossible or another process holds it.
   explicit OutputFolder(const std::filesystem::path& folder);
-  /// Removes the scratch folder.
   ~OutputFolder();
   OutputFolder(const OutputFolder&) = delete;
   OutputFolder& operator=(const OutputFolder&) = delete;

@@ -29,7 +29,6 @@ class Results {
   template <typename Result>
   const Result& operator()(const Study<Result>& study);
 
-  /// Runs every study that has not run.
   void run_all();
 
   const data::Case paper = data::load_case("paper");
@@ -52,7 +51,6 @@ struct Figure {
   FigureData (*data)(Results&);
 };
 
-/// All figures, in the order of the report.
 [[nodiscard]] const std::vector<Figure>& all_figures();
 
 }  // namespace stickslip::report

@@ -19,7 +19,6 @@ namespace stickslip::report {
 /// The member "length()" has the key "length". No template, because there are hundreds of members.
 void set(nlohmann::json& object, std::string_view member, nlohmann::json value);
 
-/// An enumeration whose values have names.
 template <typename T>
 concept Named = std::is_enum_v<T> && requires(T value) {
   to_string(value);

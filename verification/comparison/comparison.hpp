@@ -32,7 +32,6 @@ struct Hypothesis {
   double from_reference{};       ///< of its values from the reference, relative
 };
 
-/// The outcome of a diagnosis.
 enum class Finding {
   correct,      ///< within the uncertainty of the reference
   mistaken,     ///< near one of the hypotheses
@@ -94,7 +93,6 @@ struct Reference {
 /// data::read_user_table() throws.
 [[nodiscard]] Reference own_run(const std::filesystem::path& file);
 
-/// The settings of a comparison.
 struct Settings {
   /// Tolerances that replace those of the data set, by the quantity; "" for all quantities.
   std::map<std::string, double> tolerances;
@@ -104,7 +102,6 @@ struct Settings {
   std::vector<std::pair<std::size_t, std::size_t>> rows{};
 };
 
-/// The result of a comparison and the compared values.
 struct Comparison {
   /// The compared points of one curve or of one sequence.
   struct Series {

@@ -11,7 +11,6 @@
 
 namespace stickslip::comparison {
 
-/// A change of contact in a table.
 struct TabulatedEvent {
   std::string change;  ///< onset, capture or reversal
   double time{}, time_radius{};

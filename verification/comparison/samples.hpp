@@ -77,7 +77,6 @@ struct ComparedSamples {
 /// The angle plus or minus whole turns that is nearest to the reference, rad.
 [[nodiscard]] double nearest_angle(double angle, double reference);
 
-/// Counts a point that was not compared.
 void skip(Comparison::Quantity& quantity, const std::string& reason);
 
 /// Adds the point to the last series and updates the result of the quantity; skips it where the reference has no
@@ -85,7 +84,6 @@ void skip(Comparison::Quantity& quantity, const std::string& reason);
 void judge(Comparison::Quantity& quantity, const ComparedSample& point, double scale,
            const std::string& where);
 
-/// The index in level_names.
 [[nodiscard]] std::size_t level_of(const Comparison::Quantity& quantity);
 
 /// A quantity that counts deviations, such as words that differ or events that are missing. It differs if there

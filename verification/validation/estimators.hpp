@@ -36,7 +36,6 @@ struct Figure {
 /// running mean over four guesses is taken off before. The uncertainty is that of the mean of four parts.
 [[nodiscard]] Figure period_by_autocorrelation(const Record& record, double guess);
 
-/// Figures by the names of their quantities.
 using Figures = std::map<std::string, Figure>;
 
 /// A slider of the weight m g on paper, pulled through a spring k whose end moves at V.

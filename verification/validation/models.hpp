@@ -12,7 +12,6 @@
 
 namespace stickslip::validation {
 
-/// Values by the names of their quantities.
 using Values = std::map<std::string, double>;
 
 /// The slider with a rigid contact and constant coefficients (theory.md, Sect. 17): with D = (μ_s - μ_k) m g ω/(k V)

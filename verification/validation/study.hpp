@@ -48,7 +48,6 @@ using FigureTable = std::map<std::pair<std::string, std::string>, Figure>;
 /// The experiments of records.csv that have no folder of raw files below a folder, each once.
 [[nodiscard]] std::vector<std::string> experiments_without_records(const std::filesystem::path& folder);
 
-/// What a model says of a quantity of a record.
 struct Prediction {
   std::string record, quantity;
   std::string form;  ///< of the model
@@ -69,7 +68,6 @@ struct Prediction {
 /// new entry with its reason.
 [[nodiscard]] std::vector<std::string> unrecorded_predictions();
 
-/// A prediction beside the figure measured.
 struct Comparison {
   std::string experiment, record, quantity, form;
   std::string unit;                ///< of all numbers; 1 for a pure one

@@ -20,7 +20,6 @@ struct WrongModelRecipe {
   /// The case that the wrong model computes instead of the given one; empty if it is the same. The friction
   /// force is limited by the axial force of the given case.
   std::function<std::optional<data::Case>(const data::Case&)> inputs{};
-  /// Changes the closed form of the stick state.
   std::function<void(studies::StickSum&, const data::Case&)> equations{};
   /// Changes the matrices and loads of the mesh. Natural frequencies and stick state are then computed on the
   /// mesh, unless `equations` is given. The mesh has 60 elements, or is that of the case if the mistake
@@ -46,7 +45,6 @@ struct WrongModelRecipe {
   bool knows_stick_slip{true};  ///< false if the mistake is possible in a model of the stick state only
 };
 
-/// The recipes of all wrong models.
 [[nodiscard]] const std::vector<WrongModelRecipe>& wrong_model_recipes();
 
 /// One of them. Throws std::invalid_argument if there is none of that name.
@@ -64,7 +62,6 @@ template <class Change>
   return problem;
 }
 
-/// The case with another number of elements.
 [[nodiscard]] data::Case with_elements(const data::Case& problem, int elements);
 
 }  // namespace stickslip::comparison

@@ -72,10 +72,8 @@ inline constexpr auto quantity_names = [] {
 
 [[nodiscard]] std::string_view name_of(Quantity quantity);
 
-/// The measure of the distances of its results.
 [[nodiscard]] data::Norm measure_of(Quantity quantity);
 
-/// A wrong model.
 struct WrongModel {
   std::string name;     ///< such as "zero-initial-velocity"
   std::string mistake;  ///< the mistake, in one clause

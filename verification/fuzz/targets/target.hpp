@@ -11,7 +11,6 @@
 
 namespace stickslip::fuzz {
 
-/// The input of a target.
 using Bytes = std::span<const std::uint8_t>;
 
 /// Reads a case file and, after each byte 0x1e, an override of --set. A case must be read again with the same
@@ -29,13 +28,11 @@ void parse_ranges(Bytes bytes);
 /// It must give finite numbers or an error message.
 void respond(Bytes bytes);
 
-/// A function with its name.
 struct Target {
   std::string_view name;  ///< name of the program and of its corpus
   void (*function)(Bytes);
 };
 
-/// All targets.
 inline constexpr std::array targets{Target{"case", read_case_file}, Target{"results", read_results},
                                     Target{"ranges", parse_ranges}, Target{"respond", respond}};
 

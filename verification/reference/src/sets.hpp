@@ -24,7 +24,6 @@ struct NamedBeam {
   certified::Beam beam;
 };
 
-/// Loads the case with this name.
 [[nodiscard]] NamedBeam named_beam(const std::string& name);
 
 /// The beams of the data sets of modes and shapes: that of the paper, a steel strip, a soft and short beam, a beam near
@@ -68,7 +67,6 @@ void add_value(std::vector<data::Field>& fields, const std::string& name, const 
 /// Name and version of the software, such as "stickslip 1.0.0".
 [[nodiscard]] std::string software();
 
-/// A data set without fields and rows.
 [[nodiscard]] DataSet data_set(std::string name, std::string path, std::string title,
                                std::string description);
 
@@ -102,7 +100,6 @@ void add_values(data::Resource& resource, ValueClass value_class, const std::vec
 /// Makes the comparison one along this column, without interpolation.
 void compare_along(data::Resource& resource, std::string abscissa);
 
-/// The comparison row by row.
 [[nodiscard]] data::ComparisonRule by_rows(std::vector<data::ComparedValue> values);
 
 /// The diagnosis for one case, or for each beam with the case of the same name.

@@ -28,7 +28,6 @@ struct MotionValues {
   double period{};  ///< of the motion in periods of the base motion, 1 ... 16; 0 if none of these is found
 };
 
-/// One of them, with its names.
 struct MotionQuantity {
   std::string_view name;          ///< "peak-speed", as map --quantity takes it
   std::string_view column, unit;  ///< of a table
@@ -101,7 +100,6 @@ struct ResponseGrid {
 /// or if there are fewer than 2 p samples.
 [[nodiscard]] int period_of(std::span<const std::vector<std::complex<double>>> samples);
 
-/// One value of the parameter.
 struct SweepPoint {
   bool up{};
   double value{};
@@ -137,7 +135,6 @@ struct Hysteresis {
   std::size_t moving{};   ///< the tip slips, up, down or both
   std::size_t resting{};  ///< it sticks both times, at another place
 };
-/// Of a sweep in both directions.
 [[nodiscard]] Hysteresis hysteresis_of(const std::vector<SweepPoint>& points);
 
 }  // namespace stickslip::studies

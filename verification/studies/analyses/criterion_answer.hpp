@@ -22,7 +22,6 @@ struct SteadyState {
   bool reached{};  ///< false if the undamped force grows over all of the duration (Concern::resonance)
 };
 
-/// A natural frequency of the stick state.
 struct StickFrequency {
   int mode{};
   double hz{};

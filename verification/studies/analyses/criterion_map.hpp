@@ -54,7 +54,6 @@ struct CriterionMap {
 STICKSLIP_MEMBERS(CriterionMap::Cell, (x), (y), (force_ratio, "1"), (state, "-"))
 STICKSLIP_MEMBERS(CriterionMap, (cells))
 
-/// The definition of a map.
 struct MapTask {
   data::Case problem;
   MapAxis x, y;

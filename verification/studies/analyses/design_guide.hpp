@@ -17,7 +17,6 @@
 
 namespace stickslip::studies {
 
-/// A natural frequency of the stick state inside the band.
 struct Resonance {
   int mode{};
   double frequency_hz{};

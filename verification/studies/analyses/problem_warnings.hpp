@@ -14,10 +14,8 @@
 
 namespace stickslip::studies {
 
-/// The subject of a warning.
 enum class Concern { flutter, buckling, resonance, thick_beam, long_step, growth };
 
-/// A warning about a case.
 struct Warning {
   Concern concern{};
   double value{};  ///< what was found: P (N), Ω/2π (Hz), a relative frequency error, h (s), σ* (1/s)

@@ -73,7 +73,6 @@ STICKSLIP_MEMBERS(ConvergedHistory, (frequency_hz, "Hz"), (amplitude, "m"), (tim
                   (midspan, "m"), (tip_half_width, "m"), (midspan_half_width, "m"), (tip_range, "m"),
                   (midspan_range, "m"), (first_stick), (sticks), (levels), (largest_half_width(), "1"))
 
-/// The settings of the convergence study.
 struct ConvergedEffort {
   double duration{0.5};  ///< s
   int samples{1000};     ///< number of equal parts of the duration at whose ends the history is recorded
@@ -121,7 +120,6 @@ struct StepRule {
 STICKSLIP_MEMBERS(StepRule, (name, "-"), (angle, "1"), (time_step, "s"), (spectral_radius, "1"),
                   (radiating_share, "1"))
 
-/// The time step of a rule, s.
 [[nodiscard]] double time_step_of(const StepRule& rule, const data::Beam& beam, int elements);
 
 /// ω_max h at which generalised-alpha with the spectral radius 0 has no more growth than the beam.

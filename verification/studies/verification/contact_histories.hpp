@@ -124,7 +124,6 @@ STICKSLIP_MEMBERS(StickHistoryLevel, (elements, "1"), (time_step, "s"), (displac
                   (force_error, "N"), (predicted_displacement_error, "m"), (predicted_force_error, "N"),
                   (relative_displacement_error, "1"), (relative_force_error, "1"))
 
-/// The histories of Fig. 9 and their errors on all levels.
 struct StickHistoryStudy {
   double displacement_peak{};  ///< max |y|, m
   double force_peak{};         ///< max |f|, N

@@ -70,7 +70,6 @@ STICKSLIP_MEMBERS(FrictionPoint, (sliding_velocity, "m/s"), (coefficient, "1"), 
 /// Fig. 2, from -5 to 5 m/s. The force jumps at v = 0, which stands there twice.
 [[nodiscard]] std::vector<FrictionPoint> friction_curve(const data::FrictionLaw& law, double normal_force);
 
-/// Largest static friction forces at one frequency.
 struct ForceLine {
   double frequency_hz{};
   std::vector<double> amplitude;  ///< m, ascending

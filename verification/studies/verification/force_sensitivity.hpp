@@ -46,7 +46,6 @@ struct ForceDigits {
 STICKSLIP_MEMBERS(ForceDigits, (frequency_hz, "Hz"), (printed, "N"), (half_digit, "N"), (formula),
                   (printed_step, "s"), (problem))
 
-/// One way of sampling Eq. (28).
 struct SamplingTrial {
   int modes{};                ///< N
   double sampling_step{};     ///< s

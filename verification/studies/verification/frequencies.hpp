@@ -52,7 +52,6 @@ struct FlutterStudy {
 };
 STICKSLIP_MEMBERS(FlutterStudy, (closed_form, "1"), (elements, "1"), (finite_element, "1"), (observed_order),
                   (relative_error(), "1"))
-/// The flutter load in closed form and on each mesh.
 [[nodiscard]] FlutterStudy flutter_study(const data::Beam& beam, const std::vector<int>& elements);
 
 /// Mode shapes of both states for Fig. 7 by both implementations, scaled to a largest deflection of 1.
@@ -73,7 +72,6 @@ STICKSLIP_MEMBERS(ModeShapeStudy::Curve, (mode, "1"), (slip, "1"), (closed_form_
                   (finite_element_hz, "Hz"), (closed_form, "1"), (finite_element, "1"),
                   (largest_difference, "1"), (state(), "-"), (relative_error(), "1"))
 STICKSLIP_MEMBERS(ModeShapeStudy, (position, "1"), (curves))
-/// The first `modes` shapes of both states at `points` positions.
 [[nodiscard]] ModeShapeStudy mode_shape_study(const data::Beam& beam, int modes, int elements, int points);
 
 }  // namespace stickslip::studies

@@ -49,7 +49,6 @@ struct PredictedErrors {
   std::vector<double> floor;
   OrderEstimate order;
 
-  /// Error over prediction on the finest level.
   [[nodiscard]] std::optional<double> over_predicted() const {
     return predicted.empty() ? std::nullopt : std::optional(error.back() / predicted.back());
   }
@@ -141,7 +140,6 @@ struct ManufacturedSolutionStudy {
 };
 STICKSLIP_MEMBERS(ManufacturedSolutionStudy, (space), (time))
 
-/// Computes the study for the cross section, the length and the material of `beam`.
 [[nodiscard]] ManufacturedSolutionStudy manufactured_solution_study(const data::Beam& beam);
 
 }  // namespace stickslip::studies

@@ -23,7 +23,6 @@ namespace stickslip::studies {
 /// does not hold.
 [[nodiscard]] data::ClaimVerdict verdict_on(double printed, const analytic::Bounds& found, double allowed);
 
-/// A printed number and its computed value.
 struct PrintedCheck {
   data::PrintedNumber printed;
   double computed{};    ///< in the unit of printed.value
@@ -87,7 +86,6 @@ inline data::PrintedNumber printed_force(double hz) {
   return data::printed_number(fmt::format("force_max.{}", std::lround(hz)));
 }
 
-/// A copy of `beam` with one property changed.
 inline data::Beam with(const data::Beam& beam, double data::BeamProperties::*field, double value) {
   data::BeamProperties properties = beam.properties();
   properties.*field = value;

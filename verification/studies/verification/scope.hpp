@@ -15,7 +15,6 @@
 
 namespace stickslip::studies {
 
-/// |f_max| over T for one T.
 struct ForceHorizon {
   double duration{};           ///< T, s
   analytic::Bounds force_max;  ///< all modes, N
@@ -83,7 +82,6 @@ STICKSLIP_MEMBERS(DimensionlessCase, (name, "-"), (load, "1"), (slenderness, "1"
                   (friction, "1"), (decay, "1"), (damping, "1"), (force_error, "1"), (unpredicted, "1"))
 [[nodiscard]] DimensionlessCase dimensionless(const data::Case& problem);
 
-/// The complete study.
 struct Scope {
   double friction_limit{};  ///< μ_s P, N
   std::vector<SteadyForce> steady;

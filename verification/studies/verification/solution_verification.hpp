@@ -40,7 +40,6 @@ STICKSLIP_MEMBERS(GridConvergence, (observed_order, "1"), (asymptotic, "1"), (ex
 [[nodiscard]] GridConvergence grid_convergence(const std::vector<double>& values, double ratio,
                                                double formal_order);
 
-/// One level of refinement and its result.
 struct VerificationLevel {
   int elements{};
   double time_step{};  ///< s; 0 for results without time integration
@@ -48,7 +47,6 @@ struct VerificationLevel {
 };
 STICKSLIP_MEMBERS(VerificationLevel, (elements, "1"), (time_step, "s"), (value))
 
-/// One result with its discretisation uncertainty.
 struct VerifiedResult {
   /// Such as "frequency.stick.1"; that of the printed number, if there is one.
   std::string id;
@@ -67,7 +65,6 @@ struct VerifiedResult {
 STICKSLIP_MEMBERS(VerifiedResult, (id, "-"), (quantity, "-"), (unit, "-"), (printed), (levels), (convergence),
                   (reference), (true_error), (covered, "1"), (uncertainty), (obtained, "-"))
 
-/// The results with their discretisation uncertainties.
 struct SolutionVerification {
   double ratio{};         ///< of the element lengths of consecutive levels
   double formal_order{};  ///< in the element length; the time step is proportional to its square

@@ -64,7 +64,6 @@ enum class StickReading { force, displacement };
                                                         const data::HarmonicExcitation& excitation,
                                                         StickReading reading);
 
-/// The value of the sum at time t (s).
 [[nodiscard]] double value_at(const std::vector<analytic::Sinusoid>& terms, double t);
 
 /// The largest magnitude of the sum over 0 ... duration, from samples. Each local maximum is interpolated by

@@ -29,7 +29,6 @@ STICKSLIP_MEMBERS(TimeOrderStudy, (spectral_radius, "1"), (time_step, "s"), (dis
                   (velocity_error, "m/s"), (reaction_error, "N"), (displacement_order), (velocity_order),
                   (reaction_order))
 
-/// Runs the study for each number of steps per period.
 [[nodiscard]] TimeOrderStudy time_order_study(double spectral_radius,
                                               const std::vector<int>& steps_per_period);
 

@@ -8,7 +8,6 @@
 
 namespace stickslip::certified {
 
-/// The maximum of |f| over a time interval.
 struct ForceMaximum {
   Real value;               ///< N
   std::vector<Real> times;  ///< s: balls of which one contains the time of the maximum

@@ -11,7 +11,6 @@ namespace stickslip::certified {
 // Automatic differentiation by dual numbers a + a' e with e² = 0. A function evaluated at x + e returns its
 // value and its derivative. Duals of duals also return second derivatives.
 
-/// A dual number: a value and its derivative.
 template <class T>
 struct Dual {
   T value;

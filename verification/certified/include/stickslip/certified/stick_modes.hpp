@@ -36,7 +36,6 @@ class QuasiStaticShape {
   Real sigma_;  // √(|P|/EI), 1/m
 };
 
-/// One clamped-pinned mode.
 struct StickMode {
   int number{};
   Real angular_frequency;          ///< ω, rad/s

@@ -21,13 +21,11 @@ struct Excitation {
   Rational amplitude;     ///< A0, m, ≥ 0
 };
 
-/// The function a sin(w t).
 struct Sinusoid {
   Real amplitude;          ///< a
   Real angular_frequency;  ///< w, rad/s
 };
 
-/// Evaluates the response of the stick state.
 class StickResponse {
  public:
   /// Computes the modes at the current precision. Throws what stick_modes() throws, and
