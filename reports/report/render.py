@@ -396,8 +396,9 @@ def read_values(templates, data, values):
     known["printed"] = {number["id"]: number for number in known["number"]}
     known["package"] = json.loads((data / "reference" / "datapackage.json").read_text())
     mutants = templates.parent.parent / "verification" / "mutants"
-    known["mutants"] = list(csv.DictReader((mutants / "summary.csv").read_text().splitlines()))
-    known |= tomllib.loads((mutants / "survivors.toml").read_text())
+    known["mutant_runs"] = list(csv.DictReader((mutants / "summary.csv").read_text().splitlines()))
+    known["mutants"] = list({run["part"]: run for run in known["mutant_runs"]}.values())  # the last of each part
+    known |= {"open": [], "equivalent": []} | tomllib.loads((mutants / "survivors.toml").read_text())
     known["history"] = list(csv.DictReader((mutants.parent / "history.csv").read_text().splitlines()))
     known["scoreboard"] = list(csv.DictReader((mutants.parent / "peers" / "scoreboard.csv").read_text().splitlines()))
     benchmarks = mutants.parent / "benchmarks"

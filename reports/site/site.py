@@ -275,14 +275,15 @@ class Site:
             ["Place", "Requirements", "Tests", "Claims"], rows)
 
     def mutants(self):
-        rows = [Row(f"{index}", [Code(one["file"]), Code(one["function"]), Code(one["edit"]), one["why"]])
-                for index, one in enumerate(self.known["equivalent"])]
-        counts = [f"Part {one['part']}: {one['mutants']} mutants, {one['killed']} killed, {one['equivalent']} equivalent, "
+        entries = [one | {"kind": kind} for kind in ("open", "equivalent") for one in self.known[kind]]
+        rows = [Row(f"{index}", [one["kind"], Code(one["file"]), Code(one["function"]), Code(one["edit"]), one["why"]])
+                for index, one in enumerate(entries)]
+        counts = [f"Part {one['part']}, seed {one['seed'] or 'none'}: {one['mutants']} mutants, {one['killed']} killed, {one['equivalent']} equivalent, "
                   f"{one['survived']} survived." for one in self.known["mutants"]]
         return Page("mutants", "Mutants", [
-            "A mutant is the program with one mistake. The rows are equivalent mutants, which change no result that a test can see. The counts are those of "
-            "the last recorded run of each part.", *counts,
-            "Command: ./verification/run --mutants -- --part data"], ["File", "Function", "Change", "Reason"], rows)
+            "A mutant is the program with one mistake. An open one is a survivor of the last runs, which a test could see and none does. An equivalent one "
+            "changes no result that a test can see. The counts are those of the last recorded run of each part.", *counts,
+            "Command: ./verification/run --mutants -- --part data"], ["Kind", "File", "Function", "Change", "Reason"], rows)
 
     def scoreboard(self):
         sets = {resource["name"] for resource in self.known["package"]["resources"]}

@@ -9,13 +9,14 @@
 The sources are copied to build/mutants/source and built there once with the preset `mutants`. A mutant changes one
 file of the copy: ninja compiles it and links the test programs, and the tests run, those nearest to the file first,
 until one fails. Each mutant is a row of build/mutants/results.csv; a run that was interrupted goes on after the last
-row, and with that file deleted it begins anew. At the end the row of the part in verification/mutants/summary.csv is
-written.
+row, and with that file deleted it begins anew. At the end the row of the part and the seed in
+verification/mutants/summary.csv is written.
 
 A test that takes ten times as long as usual, and twenty seconds more, counts as one that hangs if it does so twice. On a
 busy machine even that may be wrong.
 
-survivors.toml holds the mutants that no test can notice, each with the reason. mistakes.py makes the mutants.
+survivors.toml holds the mutants that no test can notice, each with the reason, and those of the last runs that no test
+notices yet. mistakes.py makes the mutants.
 """
 
 import argparse
@@ -325,12 +326,11 @@ def summarise(part, seed, rows):
            "killed": outcomes.count("killed"), "equivalent": len(survived) - len(open_ones), "survived": len(open_ones),
            "commit": commit}
     file = FOLDER / "summary.csv"
-    table = {row["part"]: row for row in csv.DictReader(file.open(newline=""))} if file.exists() else {}
-    table[part] = new
+    runs = [row for row in csv.DictReader(file.open(newline="")) if (row["part"], row["seed"]) != (part, str(seed))]
     with open(file, "w", newline="") as stream:
         writer = csv.DictWriter(stream, list(new), lineterminator="\n")
         writer.writeheader()
-        writer.writerows(table[name] for name in [*PARTS, "curated"] if name in table)
+        writer.writerows([*runs, new])
     print(f"{part}: {new['mutants']} mutants, {new['killed']} killed, {new['equivalent']} equivalent, "
           f"{new['survived']} survived ({new['not_compiling']} more did not compile, {new['same_code']} were the same code)")
 
@@ -375,7 +375,7 @@ def main():
             continue
         count = len(mutants) if part == "curated" else arguments.count
         rows = face_tests(mutants, count, tests, unmutated, arguments.survivors, arguments.jobs)
-        summarise(part, arguments.seed, rows)
+        summarise(part, "" if part == "curated" else arguments.seed, rows)
     return 0
 
 
