@@ -50,7 +50,7 @@ std::vector<const CLI::Option*> options_of(const CLI::App& command, bool positio
 // The cases, the data sets, or what stands in braces behind the type, as in "TEXT:{closed-form,fe}".
 std::vector<Candidate> values_of(const CLI::Option& option) {
   std::vector<Candidate> values;
-  const std::string name = option.get_name(true), type = option.get_type_name();
+  const std::string name = option.get_name(), type = option.get_type_name();
   if (name.starts_with("CASE"))
     for (const auto& [case_name, title] : data::list_cases()) values.push_back({case_name, title});
   if (name == "NAME")

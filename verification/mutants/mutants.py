@@ -12,6 +12,9 @@ until one fails. Each mutant is a row of build/mutants/results.csv; a run that w
 row, and with that file deleted it begins anew. At the end the row of the part and the seed in
 verification/mutants/summary.csv is written.
 
+With --longest 1, tests that take longer than 1 s are left out. That costs a fifth of the time of a survivor, and survivors
+can be run again with all tests.
+
 A test that takes ten times as long as usual, and twenty seconds more, counts as one that hangs if it does so twice. On a
 busy machine even that may be wrong.
 
@@ -312,7 +315,7 @@ def reasons():
     return {(entry["file"], entry["function"], entry["edit"]): entry["why"] for entry in entries}
 
 
-def summarise(part, seed, rows):
+def summarise(part, seed, longest, rows):
     """Prints what survived and writes the row of the part in the summary."""
     why = reasons()
     survived = [row for row in rows if row["outcome"] == "survived"]
@@ -324,7 +327,7 @@ def summarise(part, seed, rows):
     new = {"part": part, "seed": seed, "not_compiling": outcomes.count("not compiling"),
            "same_code": outcomes.count("same code"), "mutants": outcomes.count("killed") + len(survived),
            "killed": outcomes.count("killed"), "equivalent": len(survived) - len(open_ones), "survived": len(open_ones),
-           "commit": commit}
+           "longest_test": longest or "", "commit": commit}
     file = FOLDER / "summary.csv"
     runs = [row for row in csv.DictReader(file.open(newline="")) if (row["part"], row["seed"]) != (part, str(seed))]
     with open(file, "w", newline="") as stream:
@@ -340,6 +343,7 @@ def parse_arguments():
     parser.add_argument("--part", action="append", choices=[*PARTS, "curated"], help="what to change (default: all parts)")
     parser.add_argument("--count", type=int, default=30, help="mutants of each part (default 30)")
     parser.add_argument("--seed", type=int, default=1, help="which mutants are drawn (default 1)")
+    parser.add_argument("--longest", type=float, metavar="S", help="leave out tests that take longer than S seconds")
     parser.add_argument("--survivors", action="store_true", help="run those again that survived earlier")
     parser.add_argument("--list", action="store_true", help="only print the mutants that would be drawn")
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="compilers at a time")
@@ -361,7 +365,7 @@ def main():
         subprocess.run(["cmake", "--preset", "mutants"], cwd=SOURCE, check=True, stdout=subprocess.DEVNULL)
         if not ninja(arguments.jobs, *test_programs()):
             sys.exit(f"mutants.py: the unmutated sources do not build, see {WORK / 'build.log'}")
-        tests = unmutated_tests()
+        tests = [test for test in unmutated_tests() if arguments.longest is None or test.seconds <= arguments.longest]
         unmutated = contents(file for part in PARTS for file in objects_of(part))
     for part in arguments.part or [*PARTS, "curated"]:
         if part == "curated":
@@ -375,7 +379,7 @@ def main():
             continue
         count = len(mutants) if part == "curated" else arguments.count
         rows = face_tests(mutants, count, tests, unmutated, arguments.survivors, arguments.jobs)
-        summarise(part, "" if part == "curated" else arguments.seed, rows)
+        summarise(part, "" if part == "curated" else arguments.seed, arguments.longest, rows)
     return 0
 
 

@@ -45,6 +45,9 @@ TEST_F(HistoryFiles, HaveTheRowsThatAnEyeNeedsWhateverTheStep) {
   EXPECT_EQ(rows_of("paper --hz 250 --duration 2 --method closed-form --set numerics.time_step=1e-6").size(),
             100'001u);  // of 20 steps; 40 would be 4e-5 s
   EXPECT_EQ(rows_of(short_steps + "--duration 0.5 --rate 700").size(), 701u / 2u + 1u);
+  EXPECT_EQ(
+      rows_of("paper --duration 0.01 --method closed-form --rate 1e9 --set numerics.time_step=1e-4").size(),
+      101u);  // each step
   expect_refused("respond --rate 0", "--rate is 0, but must be from 1e-09 to 1e+12 (1/s)");
   expect_refused("respond --rate 10 --every 10", "--every excludes --rate");
 }
