@@ -35,7 +35,8 @@ std::vector<Figure> chosen_figures(const std::vector<std::string>& only) {
   return chosen;
 }
 
-// The steps of a report are the data of each figure, its drawing, and the document.
+// The steps of a report are the data of each figure, its drawing, and the document. For the whole report, those before the
+// drawings are the studies.
 double share_done(std::size_t figures, std::size_t steps) {
   return static_cast<double>(steps) / static_cast<double>(2 * figures + 1);
 }
@@ -81,14 +82,16 @@ void write_report(const ReportOptions& options) {
   });
   Results results([&](const std::string& what) { progress.stage(what); }, values);
 
+  const bool whole = options.only.empty();
+  if (whole)
+    results.run_all([&](double share) { progress(share * share_done(chosen.size(), chosen.size())); });
   for (std::size_t i = 0; i < chosen.size(); ++i) {
-    progress(share_done(chosen.size(), i));
+    if (!whole) progress(share_done(chosen.size(), i));
     write_tables(chosen[i].name, chosen[i].data(results), output);
   }
   draw_all(chosen, progress, output);
-  if (!options.only.empty()) return;
+  if (!whole) return;
 
-  results.run_all();
   data::write_text(values / "tests.json", tests);
   data::write_text(values / "tested_commit.json", json_text(tested_commit(options.tests)));
   data::write_text(values / "environment.json", environment_json(options, output.scratch()));

@@ -23,6 +23,7 @@
 #include "studies/analyses/criterion_answer.hpp"
 #include "studies/analyses/design_guide.hpp"
 #include "studies/analyses/length_force_map.hpp"
+#include "studies/common/parallel.hpp"
 #include "studies/common/problem_parameter.hpp"
 #include "studies/history/history_convergence.hpp"
 #include "studies/verification/amplitude_limits.hpp"
@@ -99,15 +100,16 @@ Study(const char*, const char*, Function) -> Study<std::invoke_result_t<Function
 
 template <typename Result>
 const Result& Results::operator()(const Study<Result>& study) {
-  std::any& result = results_[study.name];
-  if (!result.has_value()) {
+  Kept& kept = kept_of(study.name);
+  const std::lock_guard lock(kept.guard);  // another thread that asks for the same study waits
+  if (!kept.result.has_value()) {
     announce_(study.what);
-    result = study.run(*this);
+    kept.result = study.run(*this);
     std::filesystem::create_directories(folder_);
     data::write_text(folder_ / fmt::format("{}.json", study.name),
-                     json_text(*std::any_cast<Result>(&result)));
+                     json_text(*std::any_cast<Result>(&kept.result)));
   }
-  return *std::any_cast<Result>(&result);
+  return *std::any_cast<Result>(&kept.result);
 }
 
 CsvTable comparison_table(const std::vector<validation::Comparison>& comparisons) {
@@ -118,8 +120,16 @@ CsvTable comparison_table(const std::vector<validation::Comparison>& comparisons
       "is_resolved as resolved, unit");
 }
 
-void Results::run_all() {
-  for (const auto& run : all_studies()) run(*this);
+Results::Kept& Results::kept_of(const std::string& name) {
+  const std::lock_guard lock(guard_);
+  return results_[name];
+}
+
+void Results::run_all(const std::function<void(double)>& progress) {
+  const unsigned threads = studies::thread_count();
+  const studies::ThreadsForNow one_each(1);
+  studies::in_parallel(
+      all_studies().size(), [this](std::size_t i) { all_studies()[i](*this); }, progress, threads);
 }
 
 namespace {
@@ -165,6 +175,18 @@ const Study stick_excitation("stick_excitation", "the excitation of Fig. 9", [](
 });
 
 // ---- Studies
+
+// They start in this order. The longest come first, so that no thread waits for them or for their results.
+
+constexpr double shown_duration = 0.5;  // s
+const Study contact_histories("contact_histories", "stick-slip histories (Figs. 4 and 5)",
+                              [](Results& r) { return studies::contact_histories(r.paper, shown_duration); });
+
+const Study damped_benchmarks("damped_benchmarks", "the damped benchmark by every method", [](Results& r) {
+  std::vector<studies::DampedBenchmark> benchmarks;
+  for (const int hz : {25, 70}) benchmarks.push_back(studies::damped_benchmark(at_frequency(r.damped, hz)));
+  return benchmarks;
+});
 
 constexpr int shown_modes = 3;
 const std::vector<int> meshes{4, 6, 8, 12, 16, 24, 32};
@@ -302,10 +324,6 @@ const Study measured_bias("validation_bias", "bias and spread of the models",
 const Study rig("rig", "what a rig should measure",
                 [](Results& /*r*/) { return studies::proposed_rig("rig"); });
 
-constexpr double shown_duration = 0.5;  // s
-const Study contact_histories("contact_histories", "stick-slip histories (Figs. 4 and 5)",
-                              [](Results& r) { return studies::contact_histories(r.paper, shown_duration); });
-
 // Those of contact_histories that slip at 1 mm: 25, 35 and 70 Hz, undamped.
 const Study converged_histories("converged_histories", "converged histories", [](Results& r) {
   std::vector<studies::ConvergedHistory> converged;
@@ -362,12 +380,6 @@ const Study event_orders("event_orders", "orders through the events of a damped 
     orders.push_back(
         studies::event_order_study(r.damped, duration, elements, radius, {1, 2, 4, 8, 16, 32, 64}));
   return orders;
-});
-
-const Study damped_benchmarks("damped_benchmarks", "the damped benchmark by every method", [](Results& r) {
-  std::vector<studies::DampedBenchmark> benchmarks;
-  for (const int hz : {25, 70}) benchmarks.push_back(studies::damped_benchmark(at_frequency(r.damped, hz)));
-  return benchmarks;
 });
 
 const Study energy_audits("energy_audits", "energy balance", [](Results& r) {

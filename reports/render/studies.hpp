@@ -2,12 +2,13 @@
 #pragma once
 
 /// What the report draws and quotes: each study, run on the paper's case with the settings chosen in studies.cpp, and each
-/// figure. A study is run on first use.
+/// figure. A study is run on first use, on whatever thread asks for it.
 
 #include <any>
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -29,7 +30,9 @@ class Results {
   template <typename Result>
   const Result& operator()(const Study<Result>& study);
 
-  void run_all();
+  /// Runs every study that has not run, thread_count() of them at a time, each on one thread. `progress` receives the
+  /// fraction of studies that are done, 0 to 1.
+  void run_all(const std::function<void(double)>& progress);
 
   const data::Case paper = data::load_case("paper");
   const data::Case damped = data::load_case("damped");
@@ -39,7 +42,14 @@ class Results {
  private:
   std::function<void(const std::string&)> announce_;
   std::filesystem::path folder_;
-  std::map<std::string, std::any> results_;
+
+  struct Kept {
+    std::mutex guard;
+    std::any result;
+  };
+  Kept& kept_of(const std::string& name);
+  std::mutex guard_;  // of the map, whose elements stay where they are
+  std::map<std::string, Kept> results_;
 };
 
 /// The table of validation.gp.
