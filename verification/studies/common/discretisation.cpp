@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "studies/common/discretisation.hpp"
 
-#include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
+#include "stickslip/solver/decompositions.hpp"
 #include "studies/common/problem_parameter.hpp"
 
 namespace stickslip::studies {
@@ -17,7 +18,7 @@ using Complex = std::complex<double>;
 //
 //     (q, h v, h² a)_(n+1) = map (q, h v, h² a)_n + load h² F(t_n + load_time h).
 struct StepMap {
-  Eigen::Matrix3d map;
+  Eigen::MatrixXd map;  // 3 x 3, of a type whose eigenvalues decompositions.hpp has
   Eigen::Vector3d load;
   double load_time;
 };
@@ -100,15 +101,16 @@ SteppedResponse stepped_from_rest(double spectral_radius, double natural_frequen
   const Eigen::Vector3cd steady = (rotation * Eigen::Matrix3cd::Identity() - step.map.cast<Complex>())
                                       .partialPivLu()
                                       .solve(load * step.load);
-  const Eigen::EigenSolver<Eigen::Matrix3d> eigen(step.map);
+  const Eigen::EigenSolver<Eigen::MatrixXd> eigen(step.map);
+  const Eigen::Matrix3cd vectors = eigen.eigenvectors();
   const Eigen::Vector3cd start = -steady.imag().cast<Complex>();
-  const Eigen::Vector3cd shares = eigen.eigenvectors().partialPivLu().solve(start);
+  const Eigen::Vector3cd shares = vectors.partialPivLu().solve(start);
   SteppedResponse response{steady[0], {}};
   for (Eigen::Index j = 0; j < 3; ++j) {
     const Complex factor = eigen.eigenvalues()[j];
     if (factor.imag() < 0.0) continue;
     const double pair = factor.imag() > 0.0 ? 2.0 : 1.0;
-    response.free.push_back({pair * shares[j] * eigen.eigenvectors()(0, j), factor});
+    response.free.push_back({pair * shares[j] * vectors(0, j), factor});
   }
   return response;
 }

@@ -308,11 +308,11 @@ Eigen::MatrixXd tip_held(const solver::BeamModel& model, const solver::SparseMat
 // Squared natural frequencies and mode shapes of the mesh. In stick there is one additional pair for the held
 // tip.
 Eigen::EigenSolver<Eigen::MatrixXd> free_vibrations(const Problem& problem, const solver::BeamModel& model) {
-  if (problem.tip == ManufacturedTip::stick)
-    return Eigen::EigenSolver<Eigen::MatrixXd>(
-        tip_held(model, model.mass()).llt().solve(tip_held(model, model.stick_stiffness())));
-  return Eigen::EigenSolver<Eigen::MatrixXd>(
-      Eigen::MatrixXd(model.mass()).llt().solve(Eigen::MatrixXd(model.slip_stiffness())));
+  const bool held = problem.tip == ManufacturedTip::stick;
+  const Eigen::MatrixXd mass = held ? tip_held(model, model.mass()) : Eigen::MatrixXd(model.mass());
+  const Eigen::MatrixXd stiffness =
+      held ? tip_held(model, model.stick_stiffness()) : Eigen::MatrixXd(model.slip_stiffness());
+  return Eigen::EigenSolver<Eigen::MatrixXd>(Eigen::MatrixXd(mass.llt().solve(stiffness)));
 }
 
 // The leading time-integration error of a motion Q cos(ω t) that starts at rest.
