@@ -81,6 +81,14 @@ std::vector<std::function<void(Results&)>>& all_studies() {
   return studies;
 }
 
+// No templates, because there are dozens of results.
+void list(std::function<void(Results&)> study) { all_studies().push_back(std::move(study)); }
+
+void write(const std::filesystem::path& folder, const char* name, nlohmann::json result) {
+  std::filesystem::create_directories(folder);
+  data::write_text(folder / fmt::format("{}.json", name), json_text(std::move(result)));
+}
+
 }  // namespace
 
 /// A study: the name of its JSON file and what is announced before it runs. Every object is one of all_studies().
@@ -89,7 +97,7 @@ class Study {
  public:
   Study(const char* file, const char* sentence, Result (*function)(Results&))
       : name(file), what(sentence), run(function) {
-    all_studies().emplace_back([this](Results& r) { r(*this); });
+    list([this](Results& r) { r(*this); });
   }
 
   const char *const name, *const what;
@@ -102,14 +110,13 @@ template <typename Result>
 const Result& Results::operator()(const Study<Result>& study) {
   Kept& kept = kept_of(study.name);
   const std::lock_guard lock(kept.guard);  // another thread that asks for the same study waits
-  if (!kept.result.has_value()) {
+  if (!kept.result) {
     announce_(study.what);
-    kept.result = study.run(*this);
-    std::filesystem::create_directories(folder_);
-    data::write_text(folder_ / fmt::format("{}.json", study.name),
-                     json_text(*std::any_cast<Result>(&kept.result)));
+    const std::shared_ptr<const Result> result(new Result(study.run(*this)));
+    write(folder_, study.name, *result);
+    kept.result = result;
   }
-  return *std::any_cast<Result>(&kept.result);
+  return *static_cast<const Result*>(kept.result.get());
 }
 
 CsvTable comparison_table(const std::vector<validation::Comparison>& comparisons) {

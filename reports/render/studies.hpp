@@ -4,10 +4,10 @@
 /// What the report draws and quotes: each study, run on the paper's case with the settings chosen in studies.cpp, and each
 /// figure. A study is run on first use, on whatever thread asks for it.
 
-#include <any>
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <string>
 #include <vector>
@@ -45,7 +45,7 @@ class Results {
 
   struct Kept {
     std::mutex guard;
-    std::any result;
+    std::shared_ptr<const void> result;
   };
   Kept& kept_of(const std::string& name);
   std::mutex guard_;  // of the map, whose elements stay where they are
