@@ -47,6 +47,19 @@ TEST_F(ReportOutput, KeepsTheOldFileWhenTheNewOneCannotBeWritten) {
   EXPECT_EQ(data::read_text(folder_ / "a.csv"), "old");
 }
 
+TEST_F(ReportOutput, KeepsTheOldPdfWithoutLatex) {
+  report::OutputFolder output(folder_);
+  data::write_text(folder_ / "vv-report.pdf", "old");
+  const std::string path = std::getenv("PATH");
+  ::setenv("PATH", "nothing", 1);
+  testing::expect_error_message<std::runtime_error>([&] { report::typeset(output.scratch(), output); },
+                                                    {"lualatex is not installed or not on the search path, "
+                                                     "so that there is no PDF report; the figures are in ",
+                                                     folder_.c_str()});
+  ::setenv("PATH", path.c_str(), 1);
+  EXPECT_EQ(data::read_text(folder_ / "vv-report.pdf"), "old");
+}
+
 TEST_F(ReportOutput, ClearsWhatAnInterruptedRunHasLeft) {
   fs::create_directories(folder_ / ".unfinished");
   data::write_text(folder_ / ".unfinished" / "stale", "x");
