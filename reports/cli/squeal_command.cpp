@@ -63,15 +63,15 @@ Table table_of(const std::vector<studies::SquealMode>& modes) {
 }
 
 void add_verdict(Answer& answer, const studies::Squeal& squeal) {
-  const std::string verdict = squeal.is_stable() ? "stable" : "unstable";
+  const std::string stability = squeal.is_stable() ? "stable" : "unstable";
   const Value fastest = growth_of(squeal.fastest);
   answer.add_members({{"fastest", fastest.json},
                       {"diverges", squeal.diverges()},
                       {"resolved_modes", squeal.resolved_modes},
                       {"resolved_hz", squeal.resolved_hz},
                       {"unresolved_mode_grows", squeal.unresolved_mode_grows},
-                      {"verdict", verdict}});
-  answer.text += "\nsteady sliding is " + verdict;
+                      {"verdict", stability}});
+  answer.text += "\nsteady sliding is " + stability;
   if (squeal.diverges())
     answer.text += fmt::format(": the tip runs away by {} 1/s without vibration (divergence)", fastest.text);
   else if (!squeal.is_stable())
