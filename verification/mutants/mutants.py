@@ -288,12 +288,12 @@ def show(text):
 
 def face_tests(mutants, count, tests, unmutated, again, jobs):
     """Judges mutants until `count` of them have been built; those judged before are not built again."""
-    rows, chosen, built = read_rows(), [], 0
+    rows, why, chosen, built = read_rows(), reasons(), [], 0
     for mutant in mutants:
         if built == count:
             break
         row = rows.get(mutant.id)
-        if row is None or again and row["outcome"] == "survived":
+        if row is None or again and row["outcome"] == "survived" and (mutant.file, mutant.function, mutant.edit) not in why:
             show(f"{built + 1}/{count} {mutant.file} {mutant.function}: {mutant.edit}")
             killers = {r["test"] for r in rows.values() if r["file"] == mutant.file and r["test"]}
             began = time.monotonic()
@@ -344,7 +344,7 @@ def parse_arguments():
     parser.add_argument("--count", type=int, default=30, help="mutants of each part (default 30)")
     parser.add_argument("--seed", type=int, default=1, help="which mutants are drawn (default 1)")
     parser.add_argument("--longest", type=float, metavar="S", help="leave out tests that take longer than S seconds")
-    parser.add_argument("--survivors", action="store_true", help="run those again that survived earlier")
+    parser.add_argument("--survivors", action="store_true", help="run those again that survived earlier and are not equivalent")
     parser.add_argument("--list", action="store_true", help="only print the mutants that would be drawn")
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="compilers at a time")
     return parser.parse_args()
