@@ -35,8 +35,7 @@ std::vector<Figure> chosen_figures(const std::vector<std::string>& only) {
   return chosen;
 }
 
-// The steps of a report are the data of each figure, its drawing, and the document. For the whole report, those before the
-// drawings are the studies.
+// The steps of a report are the data of each figure (of the whole report all studies), its drawing, and the document.
 double share_done(std::size_t figures, std::size_t steps) {
   return static_cast<double>(steps) / static_cast<double>(2 * figures + 1);
 }

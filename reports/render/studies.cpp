@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <type_traits>
 
 #include "comparison/diagnosis/wrong_models.hpp"
@@ -82,7 +83,10 @@ std::vector<std::function<void(Results&)>>& all_studies() {
 }
 
 // No templates, because there are dozens of results.
-void list(std::function<void(Results&)> study) { all_studies().push_back(std::move(study)); }
+std::size_t list(std::function<void(Results&)> study) {
+  all_studies().push_back(std::move(study));
+  return all_studies().size() - 1;
+}
 
 void write(const std::filesystem::path& folder, const char* name, nlohmann::json result) {
   std::filesystem::create_directories(folder);
@@ -96,19 +100,18 @@ template <typename Result>
 class Study {
  public:
   Study(const char* file, const char* sentence, Result (*function)(Results&))
-      : name(file), what(sentence), run(function) {
-    list([this](Results& r) { r(*this); });
-  }
+      : name(file), what(sentence), run(function) {}
 
   const char *const name, *const what;
   Result (*const run)(Results&);
+  const std::size_t number = list([this](Results& r) { r(*this); });  // in all_studies()
 };
 template <typename Function>
 Study(const char*, const char*, Function) -> Study<std::invoke_result_t<Function, Results&>>;
 
 template <typename Result>
 const Result& Results::operator()(const Study<Result>& study) {
-  Kept& kept = kept_of(study.name);
+  Kept& kept = results_[study.number];
   const std::lock_guard lock(kept.guard);  // another thread that asks for the same study waits
   if (!kept.result) {
     announce_(study.what);
@@ -127,10 +130,8 @@ CsvTable comparison_table(const std::vector<validation::Comparison>& comparisons
       "is_resolved as resolved, unit");
 }
 
-Results::Kept& Results::kept_of(const std::string& name) {
-  const std::lock_guard lock(guard_);
-  return results_[name];
-}
+Results::Results(std::function<void(const std::string&)> announce, std::filesystem::path folder)
+    : announce_(std::move(announce)), folder_(std::move(folder)), results_(all_studies().size()) {}
 
 void Results::run_all(const std::function<void(double)>& progress) {
   const unsigned threads = studies::thread_count();
@@ -198,10 +199,10 @@ const Study damped_benchmarks("damped_benchmarks", "the damped benchmark by ever
 constexpr int shown_modes = 3;
 const std::vector<int> meshes{4, 6, 8, 12, 16, 24, 32};
 
-const Study stick_frequencies("stick_frequencies", "natural frequencies of the stick state", [](Results& r) {
+const Study stick_frequencies("stick_frequencies", "frequencies of the stick state", [](Results& r) {
   return studies::stick_frequency_study(r.paper.beam, shown_modes, meshes);
 });
-const Study slip_frequencies("slip_frequencies", "natural frequencies of the slip state", [](Results& r) {
+const Study slip_frequencies("slip_frequencies", "frequencies of the slip state", [](Results& r) {
   return studies::slip_frequency_study(r.paper.beam, shown_modes, meshes);
 });
 const Study half_stiffness_frequencies("half_stiffness_frequencies",
@@ -271,20 +272,15 @@ const Study half_stiffness_criterion(
       return studies::critical_amplitude_curve(r.half_stiffness, frequencies);
     });
 
-const Study half_stiffness_ratio("half_stiffness_ratio",
-                                 "critical amplitudes at half the stiffness, compared", [](Results& r) {
-                                   return studies::amplitude_ratio(r(half_stiffness_criterion), r(criterion));
-                                 });
+const Study half_stiffness_ratio("half_stiffness_ratio", "stiffness halved, compared", [](Results& r) {
+  return studies::amplitude_ratio(r(half_stiffness_criterion), r(criterion));
+});
 
-const Study force_surface("force_surface",
-                          "largest static friction forces over frequency and amplitude (Fig. 10)",
-                          [](Results& r) {
-                            std::vector<double> natural;
-                            for (const auto& mode : r(stick_frequencies).modes)
-                              natural.push_back(mode.closed_form_hz);
-                            return studies::force_surface(studies::friction_limit(r.paper), r(criterion),
-                                                          natural);
-                          });
+const Study force_surface("force_surface", "largest forces (Fig. 10)", [](Results& r) {
+  std::vector<double> natural;
+  for (const auto& mode : r(stick_frequencies).modes) natural.push_back(mode.closed_form_hz);
+  return studies::force_surface(studies::friction_limit(r.paper), r(criterion), natural);
+});
 
 const Study friction_curve("friction_curve", "friction law (Fig. 2)", [](Results& r) {
   return studies::friction_curve(r.paper.friction, r.paper.beam.axial_force());
@@ -296,33 +292,27 @@ const Study searches("searches", "critical amplitudes by the paper's procedure (
 });
 
 // By half a hertz, so that the frequencies of Fig. 6 are among them.
-const Study amplitude_limits("amplitude_limits", "critical amplitudes by criterion and model",
-                             [](Results& r) {
-                               std::vector<double> frequencies;
-                               for (int i = 4; i <= 240; ++i) frequencies.push_back(0.5 * i);
-                               return studies::amplitude_limits(r.paper, r.damped, frequencies, r(searches));
-                             });
+const Study amplitude_limits("amplitude_limits", "critical amplitudes by model", [](Results& r) {
+  std::vector<double> frequencies;
+  for (int i = 4; i <= 240; ++i) frequencies.push_back(0.5 * i);
+  return studies::amplitude_limits(r.paper, r.damped, frequencies, r(searches));
+});
 
-const Study amplitude_budget("amplitude_budget", "uncertainty budget of the critical amplitude",
-                             [](Results& r) {
-                               constexpr std::size_t samples = 1000;
-                               const auto file = data::find_case("uncertain");
-                               return studies::amplitude_budget(r(amplitude_limits), r(force_maxima),
-                                                                data::read_case(file),
-                                                                data::read_uncertainty(file), samples);
-                             });
+const Study amplitude_budget("amplitude_budget", "budget of the critical amplitude", [](Results& r) {
+  constexpr std::size_t samples = 1000;
+  const auto file = data::find_case("uncertain");
+  return studies::amplitude_budget(r(amplitude_limits), r(force_maxima), data::read_case(file),
+                                   data::read_uncertainty(file), samples);
+});
 
-const Study length_force_map("length_force_map", "criterion over length and axial force (Fig. 14)",
-                             [](Results& r) {
-                               return studies::length_force_map(r.flat_section, 0.4, 2.0,
-                                                                studies::figure14_axial_forces());
-                             });
+const Study length_force_map("length_force_map", "length and axial force (Fig. 14)", [](Results& r) {
+  return studies::length_force_map(r.flat_section, 0.4, 2.0, studies::figure14_axial_forces());
+});
 
-const Study classification("classification", "classification of excitations (Fig. 12), the longest of all",
-                           [](Results& r) {
-                             return studies::classification_study(r.paper, studies::figure12_frequencies(),
-                                                                  studies::figure12_amplitudes());
-                           });
+const Study classification("classification", "excitations of Fig. 12", [](Results& r) {
+  return studies::classification_study(r.paper, studies::figure12_frequencies(),
+                                       studies::figure12_amplitudes());
+});
 
 const Study measured("validation", "measurements of others",
                      [](Results& /*r*/) { return validation::comparisons(); });
@@ -340,13 +330,12 @@ const Study converged_histories("converged_histories", "converged histories", []
   return converged;
 });
 
-const Study usual_practice("usual_practice", "undamped histories as they are usually computed",
-                           [](Results& r) {
-                             std::vector<std::vector<studies::HistoryRun>> runs;
-                             for (const auto& history : r(converged_histories))
-                               runs.push_back(studies::usual_practice(r.paper, history));
-                             return runs;
-                           });
+const Study usual_practice("usual_practice", "undamped histories as usual", [](Results& r) {
+  std::vector<std::vector<studies::HistoryRun>> runs;
+  for (const auto& history : r(converged_histories))
+    runs.push_back(studies::usual_practice(r.paper, history));
+  return runs;
+});
 
 // Resolved in time, 80 elements would take half a minute and 160 minutes.
 const Study history_growth("history_growth", "growth of a disturbance on meshes", [](Results& r) {
@@ -363,21 +352,16 @@ const Study history_growth("history_growth", "growth of a disturbance on meshes"
                      refined({"radiating tip", 1.2, 0.0, 1.0, 0.01}, resolved)};
 });
 
-const Study history_refinements("history_refinements", "refinement of undamped histories on meshes",
-                                [](Results& r) {
-                                  std::vector<studies::HistoryRefinement> refinements;
-                                  for (const auto& reference : r(converged_histories)) {
-                                    const auto refine = [&](double radius, const std::vector<int>& elements) {
-                                      refinements.push_back(studies::history_refinement(
-                                          undamped_at(r, reference.frequency_hz), reference,
-                                          {"filtering step", studies::filtering_angle, 0.0, radius}, elements,
-                                          0));
-                                    };
-                                    refine(0.0, {10, 20, 40, 80, 160});
-                                    refine(0.5, {10, 20, 40, 80});
-                                  }
-                                  return refinements;
-                                });
+const Study history_refinements("history_refinements", "undamped histories on meshes", [](Results& r) {
+  std::vector<studies::HistoryRefinement> refinements;
+  for (const auto& reference : r(converged_histories))
+    for (const auto& [radius, elements] :
+         {std::pair{0.0, std::vector{10, 20, 40, 80, 160}}, {0.5, {10, 20, 40, 80}}})
+      refinements.push_back(studies::history_refinement(
+          undamped_at(r, reference.frequency_hz), reference,
+          {"filtering step", studies::filtering_angle, 0.0, radius}, elements, 0));
+  return refinements;
+});
 
 const Study event_orders("event_orders", "orders through the events of a damped history", [](Results& r) {
   constexpr double duration = 0.12;  // s: seven events

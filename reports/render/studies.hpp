@@ -6,7 +6,6 @@
 
 #include <filesystem>
 #include <functional>
-#include <map>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -24,8 +23,7 @@ class Study;
 class Results {
  public:
   /// `announce` is told what starts, before each study; `folder` receives each result as <name>.json.
-  Results(std::function<void(const std::string&)> announce, std::filesystem::path folder)
-      : announce_(std::move(announce)), folder_(std::move(folder)) {}
+  Results(std::function<void(const std::string&)> announce, std::filesystem::path folder);
 
   template <typename Result>
   const Result& operator()(const Study<Result>& study);
@@ -40,16 +38,13 @@ class Results {
   const data::Case flat_section = data::load_case("paper-figure14");
 
  private:
-  std::function<void(const std::string&)> announce_;
-  std::filesystem::path folder_;
-
   struct Kept {
     std::mutex guard;
     std::shared_ptr<const void> result;
   };
-  Kept& kept_of(const std::string& name);
-  std::mutex guard_;  // of the map, whose elements stay where they are
-  std::map<std::string, Kept> results_;
+  std::function<void(const std::string&)> announce_;
+  std::filesystem::path folder_;
+  std::vector<Kept> results_;  // by the number of the study
 };
 
 /// The table of validation.gp.
