@@ -190,6 +190,26 @@ TEST(StickSlipIntegrator, ObserverSeesTheForceAtTheEndOfTheStep) {
   EXPECT_GE(oscillator.events().size(), 5u);
 }
 
+TEST(StickSlipIntegrator, ContactOnASpringThatDoesNotYieldIsASpringOfTheSystem) {
+  // A step solves for the force of the contact's spring with the motion, so that both take the same steps.
+  const double h = 0.02, spring = 400.0;
+  for (const double radius : {0.0, 0.5, 1.0}) {
+    const solver::IntegratorSettings settings{.time_step = h, .spectral_radius = radius};
+    solver::ContactSystem system =
+        contact_system({.stiffness = 100.0, .normal_force = 1000.0, .friction = coulomb});
+    system.tangential = data::TangentialContact({.tangential_stiffness = spring});
+    StickSlipIntegrator held(system, settings);
+    StickSlipIntegrator free(contact_system({.stiffness = 100.0 + spring, .friction = coulomb}), settings);
+    for (StickSlipIntegrator* run : {&held, &free}) {
+      run->start_slipping(scalar(0.0), scalar(1.0));
+      for (int step = 0; step < 3; ++step) run->step();
+    }
+    // The force is found to 1e-15 of the largest one, and moves the mass h^2/2 times as much in each step.
+    EXPECT_NEAR(held.displacement()[0], free.displacement()[0], 3.0 * 1e-15 * 100.0 * h * h) << radius;
+    EXPECT_GT(free.velocity()[0], 0.0);
+  }
+}
+
 TEST(StickSlipIntegrator, RefusesAStartOfAnotherSize) {
   StickSlipIntegrator mass(contact_system(sliding_mass), usable_settings);
   const Eigen::VectorXd one = scalar(0.0), two = Eigen::VectorXd::Zero(2);
