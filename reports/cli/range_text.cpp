@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "command.hpp"
+#include "stickslip/data/case_file.hpp"
 #include "stickslip/data/input_text.hpp"
 #include "stickslip/data/units.hpp"
 
