@@ -12,8 +12,9 @@ that was interrupted goes on after it. A row that did not run is tried again, an
 in peers.toml or its data set have changed. The others stay, each with the version of the data, the day and the machine that
 it is of. What cannot run is a row "not run" with the reason.
 
-The engines of rigid bodies have two rows for each problem: the usual step, and the best of steps each a quarter of the last, as far
-as PATIENCE_OF_LADDER seconds of processor time go.
+The engines of rigid bodies have two rows for each problem: the usual step, and the best of steps each a quarter of the last. All
+steps that fit into FIRST_SECONDS of processor time are tried. After them the steps end with one that agrees, or with two in a
+row of which none lowers the error by a tenth, or where the next one would take all of them beyond MOST_SECONDS.
 
 `seconds` is processor time of the whole driver, start-up of the interpreter included and compilation not. `cost` is its
 ratio to stickslip with default settings on the same problem, measured just before.
@@ -47,7 +48,7 @@ BEGIN, END = "<!-- the matrices: peers.py writes them -->\n", "<!-- end of the m
 SIGNS = {"strict": "●", "1e-3": "◕", "1e-2": "◑", "1e-1": "◔", "none": "○"}
 DRIVEN, BUILT = {}, set()  # times and folders of the runs, and what was compiled, in this process
 PATIENCE = 120  # seconds of processor time that a driver may take
-PATIENCE_OF_ENGINE, PATIENCE_OF_LADDER = 10, 4
+FIRST_SECONDS, MOST_SECONDS = 4, 120  # of all steps of an engine together
 PACKAGE = json.loads((ROOT / "data" / "reference" / "datapackage.json").read_text())
 RESOURCES = {resource["name"]: resource for resource in PACKAGE["resources"]}
 
@@ -191,7 +192,7 @@ def drive(peer, run, problem):
         here = "here" in peer  # with the libraries of this project
         execute(["sh", "-c", peer["build"].format(root=ROOT, out=work)] if here else enter(work, "sh", "-c", peer["build"]), "build")
         BUILT.add(peer["build"])
-    seconds = execute(enter(work, *[word.replace("{problem}", problem) for word in words]), "driver", peer.get("patience", PATIENCE))
+    seconds = execute(enter(work, *[word.replace("{problem}", problem) for word in words]), "driver")
     return seconds, output
 
 
@@ -211,18 +212,25 @@ def start_up(peer):
 
 def best_of_ladder(peer, run, problem):
     """The row of the step that fares best, and its processor time. The patience is with the work, without the start-up."""
-    spent, step, best, least = 0.0, run["ladder"], None, math.inf
+    spent, step, best, least, worse = 0.0, run["ladder"], None, math.inf, 0
     start = start_up(peer)
     while True:
-        seconds, output = drive(peer, run | {"arguments": [repr(step)]}, problem)
+        try:
+            seconds, output = drive(peer, run | {"arguments": [repr(step)]}, problem)
+        except CannotRun:
+            if best is None:
+                raise
+            return best
         row = judge(problem, output)
         error = float(row["error"].split()[0])
+        worse = 0 if error < 0.9 * least else worse + 1
         if best is None or error < least:
             best, least = row | {"seconds": seconds, "note": f"step {step:.2g} s"}, error
         work = max(seconds - start, 0.0)
         spent += work
         step /= 4
-        if spent + 4 * work > PATIENCE_OF_LADDER:
+        ended = best["verdict"] == "agrees" or worse == 2
+        if spent + 4 * work > run["seconds"][not ended]:
             return best
 
 
@@ -253,7 +261,7 @@ def engine(entry, problems):
     """An entry [[engine]] of peers.toml as a [[peer]]."""
     driver, step = entry["driver"], entry["step"]
     native = driver.endswith(".cpp")
-    peer = entry | {"folder": "engines", "patience": PATIENCE_OF_ENGINE, "files": [driver, "engine.hpp" if native else "engine.mjs", "problems.csv"],
+    peer = entry | {"folder": "engines", "files": [driver, "engine.hpp" if native else "engine.mjs", "problems.csv"],
                     "packages": entry.get("packages", []) + (["g++"] if native else ["nodejs"])}
     start = ["/out/driver"] if native else ["node", "--liftoff-only", f"/peers/engines/{driver}"]
     peer["command"] = [*start, "{problem}", "/out/{problem}"]
@@ -265,7 +273,7 @@ def engine(entry, problems):
             peer["run"].append({"problems": [problem], "settings": "none", "cannot": entry["cannot"][problem]})
             continue
         peer["run"].append({"problems": [problem], "settings": f"step {entry['printed_step']}", "arguments": [repr(step)]})
-        peer["run"].append({"problems": [problem], "settings": "best step", "arguments": [], "ladder": step})
+        peer["run"].append({"problems": [problem], "settings": "best step", "arguments": [], "ladder": step, "seconds": [FIRST_SECONDS, MOST_SECONDS]})
     return peer
 
 
