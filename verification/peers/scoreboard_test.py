@@ -101,11 +101,20 @@ class EngineProblems(unittest.TestCase):
 
 class Verdict(unittest.TestCase):
     def test_is_that_of_the_best_step_within_the_patience(self):
-        errors = {0.01: 3e-3, 0.0025: 1e-3, 0.000625: 2e-3}
-        with mock.patch.object(peers, "start_up", lambda peer: 0.1), mock.patch.object(peers, "drive", lambda peer, run, problem: (0.1 + 0.01 / float(run["arguments"][0]) / 8, run["arguments"][0])), \
-                mock.patch.object(peers, "judge", lambda problem, step: {"error": f"{errors[float(step)]} m"}):
-            best = peers.best_of_ladder({}, {"ladder": 0.01}, "sdnd100")
-        self.assertEqual(best, {"error": "0.001 m", "note": "step 0.0025 s", "seconds": 0.6})
+        # A step of h takes 1/(800 h) s: 0.125 s, then 0.5, 2, 8, 32 and 128 s.
+        for errors, agrees, best, steps in [([32, 16, 8, 4, 2, 1], False, "3.9e-05", 5),  # gains up to 120 s
+                                            ([3, 1, 2, 2, 0, 0], False, "0.0025", 4),  # gains no more
+                                            ([3, 2, 1, 0, 0, 0], True, "0.00063", 3)]:  # agrees; 4 s are used
+            driven = []
+
+            def drive(peer, run, problem):
+                driven.append(float(run["arguments"][0]))
+                return 0.1 + 1 / (800 * driven[-1]), len(driven) - 1
+
+            with mock.patch.object(peers, "start_up", lambda peer: 0.1), mock.patch.object(peers, "drive", drive), \
+                    mock.patch.object(peers, "judge", lambda problem, n: {"verdict": "agrees" if agrees else "differs", "error": f"{errors[n]} m"}):
+                row = peers.best_of_ladder({}, {"ladder": 0.01, "seconds": [4, 120]}, "sdnd100")
+            self.assertEqual((row["note"], len(driven)), (f"step {best} s", steps))
 
     def test_is_that_it_differs_where_the_run_diverges(self):
         with tempfile.TemporaryDirectory() as name:
