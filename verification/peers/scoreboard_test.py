@@ -103,7 +103,7 @@ class Verdict(unittest.TestCase):
     def test_is_that_of_the_best_step_within_the_patience(self):
         # A step of h takes 1/(800 h) s: 0.125 s, then 0.5, 2, 8, 32 and 128 s.
         for errors, agrees, best, steps in [([32, 16, 8, 4, 2, 1], False, "3.9e-05", 5),  # gains up to 120 s
-                                            ([3, 1, 2, 2, 0, 0], False, "0.0025", 4),  # gains no more
+                                            ([3, 1, 0.95, 0.97, 0, 0], False, "0.00063", 4),  # gains too little
                                             ([3, 2, 1, 0, 0, 0], True, "0.00063", 3)]:  # agrees; 4 s are used
             driven = []
 
