@@ -19,20 +19,17 @@
 #include "range_text.hpp"
 #include "render/criterion_map.hpp"
 #include "stickslip/data/input_text.hpp"
-#include "studies/analyses/measured_case.hpp"
 
 namespace stickslip::cli {
 
 namespace {
 
 struct CompareOptions {
-  std::string name, file, events, rows, manifest, json, junit, figure;
+  std::string name, file, events, rows, manifest, junit, figure;
   std::string package = data::reference_directory().string();
   std::vector<std::string> columns, names, tolerances;
   std::optional<double> until;
-  bool is_quiet{};
-  std::string problem;  // of a measurement of one's own
-  std::size_t samples = 1000;
+  OwnComparison own;
 };
 
 // The comparisons that are asked for: one, or those of the lines of the manifest, whose files are next to it.
@@ -89,43 +86,18 @@ comparison::Comparison compare(const CompareOptions& options, const data::Refere
   return result;
 }
 
-// The measurement of a CSV file against the case. The status is `failed` if zero is outside of E ± 2 u_val somewhere.
-Answer compared_with_case(const CompareOptions& options, Outputs& outputs) {
-  if (options.name.empty()) throw CLI::RequiredError("NAME");
-  const auto problem = data::find_case(options.problem);
-  outputs.open({{"the table", options.is_quiet || options.json == "-" ? "" : "-"}, {"--json", options.json}});
-  const studies::CaseComparison result =
-      studies::compare_with_case(problem, options.name, options.samples, std::ref(outputs.progress()));
-  Answer answer;
-  answer.add_members({{"file", options.name},
-                      {"case", options.problem},
-                      {"samples", options.samples},
-                      {"dropped_samples", result.dropped}});
-  add_comparisons(answer, result.comparisons);
-  if (result.dropped > 0)
-    answer.add_line(fmt::format("{} samples are no beam and count in no u_input.", result.dropped));
-  if (!result.has_uncertainty) answer.add_line("The case has no table [uncertainty]: u_input is 0.");
-  require_finite(answer.json);
-  outputs.write("the table", [&] { return answer.text; });
-  outputs.write_json(answer.json);
-  Answer verdict;
-  verdict.status =
-      std::ranges::all_of(result.comparisons, &validation::Comparison::contains_zero) ? done : failed;
-  return verdict;
-}
-
 Answer compared(const CompareOptions& options, Outputs& outputs) {
-  if (!options.problem.empty()) return compared_with_case(options, outputs);
-  if (options.json == "-" && options.junit == "-")
+  if (!options.own.problem.empty()) return compared_with_case(options.name, options.own, outputs);
+  if (options.own.json == "-" && options.junit == "-")
     throw data::InputError(
         "--json - and --junit - both want standard output, but one of them must be a file");
   if (options.file == "-" && options.events == "-")
     throw data::InputError("FILE and --events both are standard input, but one of them must be a file");
   if (options.manifest.empty() && (options.name.empty() || options.file.empty()))
     throw CLI::RequiredError(options.name.empty() ? "NAME" : "FILE");
-  const bool has_table = !options.is_quiet && options.json != "-" && options.junit != "-";
+  const bool has_table = !options.own.quiet && options.own.json != "-" && options.junit != "-";
   outputs.open({{"the table", has_table ? "-" : ""},
-                {"--json", options.json},
+                {"--json", options.own.json},
                 {"--junit", options.junit},
                 {"--figure", options.figure}});
   const std::vector<CompareOptions> runs = runs_of(options);
@@ -176,16 +148,7 @@ void add_options(CLI::App& command, CompareOptions& options) {
       command, "FILE", options.file,
       "CSV file with the columns of the data set, '-' for standard input; a unit may follow a name, as in "
       "'frequency [kHz]'");
-  auto* problem =
-      command.add_option("--case", options.problem,
-                         "Compare with this case: NAME is a CSV file with the columns quantity "
-                         "(stick_frequency, slip_frequency, "
-                         "critical_amplitude), at (mode, or Hz), value (Hz, m) and half_width (of 95 %)");
-  add_integer_option(command, "--samples", options.samples, 2, 1'000'000,
-                     "Of the uncertain keys of that case")
-      ->needs(problem);
-  add_file_option(command, "--json", options.json, "JSON file with all numbers, '-' for standard output");
-  command.add_flag("--quiet", options.is_quiet, "Print nothing");
+  auto* problem = add_own_options(command, options.own);
   add_file_option(command, "--events", options.events,
                   "CSV file with the changes of contact of the same run, for a history with stick and slip");
   words("--column", options.columns, "REFERENCE=YOURS[:UNIT]",

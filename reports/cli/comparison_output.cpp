@@ -8,8 +8,6 @@
 #include <pugixml.hpp>
 #include <sstream>
 
-#include "range_text.hpp"
-
 namespace stickslip::cli {
 
 namespace {
@@ -196,37 +194,6 @@ std::string junit_of(const std::vector<Judged>& all) {
   std::ostringstream text;
   document.save(text, "  ");
   return text.str();
-}
-
-Table table_with(std::string_view names) {
-  Table table;
-  for (const auto name : split(names, ' ')) table.columns.push_back({std::string(name), std::string(name)});
-  return table;
-}
-
-void add_comparisons(Answer& answer, const std::vector<validation::Comparison>& comparisons) {
-  Table table = table_with("experiment record quantity model unit D u_D S u_input u_num E u_val");
-  table.columns.front().header.clear();
-  table.columns.insert(table.columns.end(),
-                       {{"", "lower"}, {"", "upper"}, {"", "resolved"}, {"error of the model", ""}});
-  std::ptrdiff_t resolved = 0, outside = 0;
-  for (const auto& one : comparisons) {
-    const double lower = one.error() - 2.0 * one.uncertainty(), upper = one.error() + 2.0 * one.uncertainty();
-    const bool is_resolved = one.is_resolved();
-    resolved += is_resolved ? 1 : 0;
-    outside += one.contains_zero() ? 0 : 1;
-    table.rows.push_back(
-        {word(one.experiment), word(one.record), word(one.quantity), word(one.form), word(one.unit),
-         rounded(one.measured, 5), rounded(one.measured_uncertainty, 2), rounded(one.predicted, 5),
-         rounded(one.input_uncertainty, 2), rounded(one.numerical_uncertainty, 2), rounded(one.error(), 3),
-         rounded(one.uncertainty(), 2), rounded(lower, 3), rounded(upper, 3), Value{is_resolved, ""},
-         word(is_resolved ? fmt::format("{:.3g} ... {:.3g}", lower, upper) : "nothing resolved")});
-  }
-  answer.add_table("comparisons", table);
-  answer.add_line(
-      fmt::format("\nE = S - D. The error of the model lies in E +- 2 u_val; where |E| < u_val nothing was "
-                  "resolved. Resolved: {} of {}; zero outside: {}.",
-                  resolved, comparisons.size(), outside));
 }
 
 }  // namespace stickslip::cli
