@@ -78,7 +78,8 @@ struct WrongModel {
   std::string name;     ///< such as "zero-initial-velocity"
   std::string mistake;  ///< the mistake, in one clause
   std::string place;    ///< the equation or section of the paper that it concerns
-  /// Of the first eight, contact_event, tip_displacement and friction_force; or another one, if none of these.
+  /// Of the frequencies, participation, quasi_static_shape, force_maximum, critical_amplitude, stick_force,
+  /// stick_displacement, contact_event, tip_displacement and friction_force; or another one, if none of these.
   std::vector<Quantity> changes;
 };
 STICKSLIP_MEMBERS(WrongModel, (name, "-"), (mistake, "-"), (place, "-"))
