@@ -14,7 +14,7 @@ it is of. What cannot run is a row "not run" with the reason.
 
 The engines of rigid bodies have two rows for each problem: the usual step, and the best of steps each a quarter of the last. All
 steps that fit into FIRST_SECONDS of processor time are tried. After them the steps end with one that agrees, or with two in a
-row of which none lowers the error by a tenth, or where the next one would take all of them beyond MOST_SECONDS.
+row of which none lowers the error by a tenth, or where the next one would take all of them beyond PATIENCE.
 
 `seconds` is processor time of the whole driver, start-up of the interpreter included and compilation not. `cost` is its
 ratio to stickslip with default settings on the same problem, measured just before.
@@ -47,8 +47,8 @@ PAGE = ROOT / "reports" / "manual" / "scoreboard.md"
 BEGIN, END = "<!-- the matrices: peers.py writes them -->\n", "<!-- end of the matrices -->\n"
 SIGNS = {"strict": "●", "1e-3": "◕", "1e-2": "◑", "1e-1": "◔", "none": "○"}
 DRIVEN, BUILT = {}, set()  # times and folders of the runs, and what was compiled, in this process
-PATIENCE = 120  # seconds of processor time that a driver may take
-FIRST_SECONDS, MOST_SECONDS = 4, 120  # of all steps of an engine together
+PATIENCE = 120  # seconds of processor time that a driver may take, and all steps of an engine together
+FIRST_SECONDS = 4  # of the steps that are tried in any case
 PACKAGE = json.loads((ROOT / "data" / "reference" / "datapackage.json").read_text())
 RESOURCES = {resource["name"]: resource for resource in PACKAGE["resources"]}
 
@@ -273,7 +273,7 @@ def engine(entry, problems):
             peer["run"].append({"problems": [problem], "settings": "none", "cannot": entry["cannot"][problem]})
             continue
         peer["run"].append({"problems": [problem], "settings": f"step {entry['printed_step']}", "arguments": [repr(step)]})
-        peer["run"].append({"problems": [problem], "settings": "best step", "arguments": [], "ladder": step, "seconds": [FIRST_SECONDS, MOST_SECONDS]})
+        peer["run"].append({"problems": [problem], "settings": "best step", "arguments": [], "ladder": step, "seconds": [FIRST_SECONDS, PATIENCE]})
     return peer
 
 

@@ -102,9 +102,9 @@ class EngineProblems(unittest.TestCase):
 class Verdict(unittest.TestCase):
     def test_is_that_of_the_best_step_within_the_patience(self):
         # A step of h takes 1/(800 h) s: 0.125 s, then 0.5, 2, 8, 32 and 128 s.
-        for errors, agrees, best, steps in [([32, 16, 8, 4, 2, 1], False, "3.9e-05", 5),  # gains up to 120 s
-                                            ([3, 1, 0.95, 0.97, 0, 0], False, "0.00063", 4),  # gains too little
-                                            ([3, 2, 1, 0, 0, 0], True, "0.00063", 3)]:  # agrees; 4 s are used
+        for errors, verdict, best, steps in [([32, 16, 8, 4, 2, 1], "differs", 4, 5),  # gains up to 120 s
+                                             ([3, 1, 0.95, 0.97, 0, 0], "differs", 2, 4),  # gains too little
+                                             ([3, 2, 1, 0, 0, 0], "agrees", 2, 3)]:  # 4 s are used
             driven = []
 
             def drive(peer, run, problem):
@@ -112,9 +112,10 @@ class Verdict(unittest.TestCase):
                 return 0.1 + 1 / (800 * driven[-1]), len(driven) - 1
 
             with mock.patch.object(peers, "start_up", lambda peer: 0.1), mock.patch.object(peers, "drive", drive), \
-                    mock.patch.object(peers, "judge", lambda problem, n: {"verdict": "agrees" if agrees else "differs", "error": f"{errors[n]} m"}):
+                    mock.patch.object(peers, "judge", lambda problem, n: {"verdict": verdict, "error": f"{errors[n]} m"}):
                 row = peers.best_of_ladder({}, {"ladder": 0.01, "seconds": [4, 120]}, "sdnd100")
-            self.assertEqual((row["note"], len(driven)), (f"step {best} s", steps))
+            self.assertEqual(row, {"verdict": verdict, "error": f"{errors[best]} m", "note": f"step {0.01 / 4**best:.2g} s", "seconds": 0.1 + 4**best / 8})
+            self.assertEqual(len(driven), steps)
 
     def test_is_that_it_differs_where_the_run_diverges(self):
         with tempfile.TemporaryDirectory() as name:
