@@ -293,7 +293,7 @@ def face_tests(mutants, count, tests, unmutated, again, jobs):
         if built == count:
             break
         row = rows.get(mutant.id)
-        if row is None or again and row["outcome"] == "survived" and (mutant.file, mutant.function, mutant.edit) not in why:
+        if row is None or again and row["outcome"] == "survived" and place_of(row) not in why:
             show(f"{built + 1}/{count} {mutant.file} {mutant.function}: {mutant.edit}")
             killers = {r["test"] for r in rows.values() if r["file"] == mutant.file and r["test"]}
             began = time.monotonic()
@@ -308,18 +308,22 @@ def face_tests(mutants, count, tests, unmutated, again, jobs):
     return chosen
 
 
+def place_of(entry):
+    return entry["file"], entry["function"], entry["edit"]
+
+
 def reasons():
-    """Why a mutant changes nothing that a test could notice, by file, function and edit."""
+    """Why a mutant changes nothing that a test could notice, by its place."""
     file = FOLDER / "survivors.toml"
     entries = tomllib.loads(file.read_text()).get("equivalent", []) if file.exists() else []
-    return {(entry["file"], entry["function"], entry["edit"]): entry["why"] for entry in entries}
+    return {place_of(entry): entry["why"] for entry in entries}
 
 
 def summarise(part, seed, longest, rows):
     """Prints what survived and writes the row of the part in the summary."""
     why = reasons()
     survived = [row for row in rows if row["outcome"] == "survived"]
-    open_ones = [row for row in survived if (row["file"], row["function"], row["edit"]) not in why]
+    open_ones = [row for row in survived if place_of(row) not in why]
     for row in open_ones:
         print(f"survived: {row['file']}, {row['function']}: {row['edit']}")
     commit = subprocess.run(["git", "rev-parse", "--short", "HEAD"], cwd=ROOT, capture_output=True, text=True).stdout.strip()
