@@ -225,7 +225,8 @@ class Package(unittest.TestCase):
             "import stickslip\ndef test_good(stickslip_agrees): stickslip_agrees('stick-history', stickslip.load('stick-history'))\n"
             "def test_bad(stickslip_agrees): stickslip_agrees('slip-frequencies', stickslip.load('stick-frequencies'))\n")
         done = subprocess.run([sys.executable, "-m", "pytest", "-p", "stickslip.pytest_plugin", "test_mine.py"], cwd=self.folder,
-                              env={**os.environ, "PYTHONPATH": str(ROOT / "reports/python")}, capture_output=True, text=True)
+                              env={**os.environ, "PYTHONPATH": str(ROOT / "reports/python"), "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1"},
+                              capture_output=True, text=True)
         self.assertIn("1 failed, 1 passed", done.stdout)
         self.assertIn("differs, level", done.stdout)
 
