@@ -82,10 +82,12 @@ bool BandMaximum::exceeds(double limit) {
     sticks = stays_below(marks_[i - 1], marks_[i], limit, most_halvings);
   if (sticks) return false;
   std::vector<Decided> ends;
-  for (const double omega : marks_) {
-    ends.push_back(force_at(omega));
-    if (ends.back().exceeds(limit)) return true;
-  }
+  for (const double omega : marks_) ends.push_back(force_at(omega));
+  std::vector<std::pair<double, Decided*>> likely_first;
+  for (Decided& end : ends) likely_first.emplace_back(-between(end.omega, end.omega).force, &end);
+  std::ranges::sort(likely_first);
+  for (const auto& [bound, end] : likely_first)
+    if (end->exceeds(limit)) return true;
   for (std::size_t i = 1; i < ends.size(); ++i)
     if (rises_above(ends[i - 1], ends[i], limit)) return true;
   return false;
