@@ -25,8 +25,8 @@ ContactModel unloaded(ContactModel model) {
   return model;
 }
 
-// Errors of a step: of a state, and of a derivative for Newton's method and multipliers of nine digits.
-constexpr double tolerance_of_state = 1e-13, tolerance_of_derivative = 1e-10;
+// Errors of a step: of a state, and of a derivative for multipliers of nine digits or for Newton's method.
+constexpr double tolerance_of_state = 1e-13, tolerance_of_multipliers = 1e-10, tolerance_of_newton = 1e-6;
 
 /// The flow, with its derivative or without, phase by phase.
 class Variation {
@@ -303,7 +303,9 @@ class Shooting {
       const bool is_found = residual < 1e-12 || (residual < 1e-9 && is_new && residual >= 0.3 * last);
       is_new = is_found || !(residual < 0.1 * last) || derivative.empty();
       if (is_new)
-        derivative = image_of(model_, start_, period_, phases, true, tolerance_of_derivative).derivative;
+        derivative = image_of(model_, start_, period_, phases, true,
+                              is_found ? tolerance_of_multipliers : tolerance_of_newton)
+                         .derivative;
       if (!is_finite(derivative)) return std::nullopt;  // a graze
       if (is_found)
         return PeriodicMotion{start_, period_, image.events, eigenvalues(derivative), residual, iteration};
