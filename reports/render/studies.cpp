@@ -116,7 +116,9 @@ const Result& Results::operator()(const Study<Result>& study) {
   if (!kept.result) {
     announce_(study.what);
     const std::shared_ptr<const Result> result(new Result(study.run(*this)));
-    write(folder_, study.name, *result);
+    nlohmann::json json;
+    assign(json, *result);
+    write(folder_, study.name, std::move(json));
     kept.result = result;
   }
   return *static_cast<const Result*>(kept.result.get());
@@ -761,7 +763,7 @@ FigureData scoreboard(Results& /*r*/) {
   std::vector<std::string> codes, problems;
   std::map<Key, std::vector<double>> ratios;
   const auto column = [&](const char* name) {
-    return std::ranges::find(reader.names(), name) - reader.names().begin();
+    return static_cast<std::size_t>(std::ranges::find(reader.names(), name) - reader.names().begin());
   };
   const auto note = [](std::vector<std::string>& names, const std::string& name) {
     if (std::ranges::find(names, name) == names.end()) names.push_back(name);

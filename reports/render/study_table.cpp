@@ -10,8 +10,8 @@
 
 namespace stickslip::report {
 
-void set(nlohmann::json& object, std::string_view member, nlohmann::json value) {
-  object[member.substr(0, member.find('('))] = std::move(value);
+nlohmann::json& entry_of(nlohmann::json& object, std::string_view member) {
+  return object[member.substr(0, member.find('('))];
 }
 
 namespace {

@@ -16,50 +16,36 @@
 
 namespace stickslip::report {
 
-/// The member "length()" has the key "length". No template, because there are hundreds of members.
-void set(nlohmann::json& object, std::string_view member, nlohmann::json value);
+/// The entry of an object for a member, made if there is none; the member "length()" has the key "length".
+[[nodiscard]] nlohmann::json& entry_of(nlohmann::json& object, std::string_view member);
 
 template <typename T>
 concept Named = std::is_enum_v<T> && requires(T value) {
   to_string(value);
 };
 
+/// A result as JSON. Nothing is null.
+template <typename T>
+void assign(nlohmann::json& json, const T& value) {
+  if constexpr (studies::Described<T>) {
+    visit_members(std::type_identity<T>{}, [&](std::string_view member, std::string_view, auto get) {
+      assign(entry_of(json, member), get(value));
+    });
+  } else if constexpr (Named<T>) {
+    json = to_string(value);
+  } else if constexpr (requires { value.has_value(); }) {
+    if (value) assign(json, *value);
+  } else if constexpr (requires { value.begin(); } && !std::is_convertible_v<T, std::string_view>) {
+    json = nlohmann::json::array();
+    for (const auto& element : value) assign(json.emplace_back(), element);
+  } else {
+    json = value;
+  }
+}
+
 /// With all digits of each number, so that it reads back exactly; infinite is "inf" or "-inf", not a number
 /// "nan".
 [[nodiscard]] std::string json_text(nlohmann::json value);
-
-}  // namespace stickslip::report
-
-namespace nlohmann {
-
-/// Nothing is null.
-template <typename T>
-struct adl_serializer<std::optional<T>> {
-  static void to_json(json& object, const std::optional<T>& value) {
-    if (value)
-      object = *value;
-    else
-      object = nullptr;
-  }
-};
-
-template <stickslip::studies::Described T>
-struct adl_serializer<T> {
-  static void to_json(json& object, const T& value) {
-    visit_members(std::type_identity<T>{}, [&](std::string_view member, std::string_view, auto get) {
-      stickslip::report::set(object, member, get(value));
-    });
-  }
-};
-
-template <stickslip::report::Named T>
-struct adl_serializer<T> {
-  static void to_json(json& word, T value) { word = to_string(value); }
-};
-
-}  // namespace nlohmann
-
-namespace stickslip::report {
 
 /// The unit of each member, in the shape of the JSON of one result. What is described without a unit has `unit`.
 template <typename T>
@@ -70,7 +56,7 @@ nlohmann::json units_of(std::string_view unit = "") {
     nlohmann::json units;
     visit_members(std::type_identity<T>{}, [&](std::string_view member, std::string_view own, auto get) {
       using Member = std::remove_cvref_t<decltype(get(std::declval<const T&>()))>;
-      set(units, member, units_of<Member>(own.empty() ? unit : own));
+      entry_of(units, member) = units_of<Member>(own.empty() ? unit : own);
     });
     return units;
   } else {
@@ -93,7 +79,9 @@ enum class TableShape { lines, grid };  ///< of a grid, an empty line follows th
 template <typename Results>
 CsvTable study_table(const std::string& title, const Results& results, std::string_view columns,
                      TableShape shape = TableShape::lines) {
-  return study_table(title, nlohmann::json(results), units_of<Results>(), columns, shape);
+  nlohmann::json json;
+  assign(json, results);
+  return study_table(title, json, units_of<Results>(), columns, shape);
 }
 
 }  // namespace stickslip::report

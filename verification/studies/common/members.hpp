@@ -29,10 +29,10 @@
 
 namespace stickslip::studies {
 
-/// A type whose members are listed.
+/// A type whose members are listed. (clang 14 takes every type for one if a lambda stands here.)
 template <typename T>
 concept Described = requires {
-  visit_members(std::type_identity<T>{}, [](auto&&...) {});
+  visit_members(std::type_identity<T>{}, nullptr);
 };
 
 }  // namespace stickslip::studies

@@ -69,13 +69,17 @@ struct Interval {
 };
 STICKSLIP_MEMBERS(Interval, (from, "m"), (to, "m"), (length(), "m"))
 
+struct Intervals {
+  std::vector<Interval> intervals{{0.1, 1.0 / 3.0}};
+  double infinite = std::numeric_limits<double>::infinity();
+  std::optional<double> nothing{};
+};
+STICKSLIP_MEMBERS(Intervals, (intervals), (infinite, "m"), (nothing, "m"))
+
 STICKSLIP_VERIFIES(ReportTemplates, "U4");
 TEST_F(ReportTemplates, ReadEveryDigitOfAResult) {
-  const json results{
-      {"intervals", std::vector<Interval>{{0.1, 1.0 / 3.0}}},
-      {"infinite", std::numeric_limits<double>::infinity()},
-      {"nothing", std::optional<double>{}},
-  };
+  json results;
+  report::assign(results, Intervals());
   data::write_text(values() / "results.json", report::json_text(results));
   EXPECT_EQ(filled_in("<< results.intervals[0].to | plain >>, << results.intervals[0].length | fixed(3) >>, "
                       "<< results.infinite == 'inf' >>, << results.nothing is none >>"),
