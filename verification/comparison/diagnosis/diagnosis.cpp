@@ -688,7 +688,7 @@ class Search {
   // The wrong models are tried up to this time: five periods of stick and slip, or three without damping. Later on,
   // small errors grow.
   [[nodiscard]] double end_of(Quantity quantity, const data::Case& problem) const {
-    const bool is_history = quantity > Quantity::contact_event && reference_.resource.stated.tip != "held";
+    const bool is_history = is_stick_slip_history(quantity) && reference_.resource.stated.tip != "held";
     const double periods = studies::is_damped(problem) ? 5.0 : 3.0;
     return is_history ? periods / problem.excitation.frequency_hz() : std::numeric_limits<double>::infinity();
   }
@@ -771,7 +771,7 @@ class Search {
         add(factors, {key});
       for (const char* key : {"friction.decay", "damping.kelvin_voigt"}) add(decades, {key});
     }
-    if (quantity > Quantity::contact_event)
+    if (is_stick_slip_history(quantity))
       numbers.push_back({widths,
                          [&](double width) {
                            return relative(result_smoothed_over(problem, width, quantity, seen.abscissa));

@@ -468,6 +468,10 @@ data::Norm measure_of(Quantity quantity) {
   return is_relative ? data::Norm::relative : data::Norm::scale;
 }
 
+bool is_stick_slip_history(Quantity quantity) {
+  return is_of_stick_slip(quantity) && quantity != contact_event;
+}
+
 std::string_view name_of(Quantity quantity) {
   return std::ranges::find(quantity_names, quantity, &std::pair<Quantity, std::string_view>::first)->second;
 }

@@ -72,6 +72,9 @@ inline constexpr auto quantity_names = [] {
 
 [[nodiscard]] std::string_view name_of(Quantity quantity);
 
+/// Whether it is a history of a run with stick and slip.
+[[nodiscard]] bool is_stick_slip_history(Quantity quantity);
+
 [[nodiscard]] data::Norm measure_of(Quantity quantity);
 
 struct WrongModel {
