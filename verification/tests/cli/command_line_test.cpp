@@ -507,6 +507,7 @@ TEST_F(CommandLine, UncertaintyGivesTheProbabilityOfSlip) {
         quantile["margin"]["value"].get<double>()));
   EXPECT_EQ(answer["quantiles"].size(), 5u);
   for (const std::string& line : lines) EXPECT_TRUE(holds(table, "\n" + line + "\n"));
+  for (const char* head : {"quantile ", "key "}) EXPECT_TRUE(holds(table, fmt::format("\n\n{}", head)));
 }
 
 // Most of these forces are above the buckling load, and so is their 95 % quantile.
