@@ -19,11 +19,6 @@ namespace stickslip::report {
 /// The entry of an object for a member, made if there is none; the member "length()" has the key "length".
 [[nodiscard]] nlohmann::json& entry_of(nlohmann::json& object, std::string_view member);
 
-template <typename T>
-concept Named = std::is_enum_v<T> && requires(T value) {
-  to_string(value);
-};
-
 /// A result as JSON. Nothing is null.
 template <typename T>
 void assign(nlohmann::json& json, const T& value) {
@@ -31,7 +26,7 @@ void assign(nlohmann::json& json, const T& value) {
     visit_members(std::type_identity<T>{}, [&](std::string_view member, std::string_view, auto get) {
       assign(entry_of(json, member), get(value));
     });
-  } else if constexpr (Named<T>) {
+  } else if constexpr (std::is_enum_v<T>) {
     json = to_string(value);
   } else if constexpr (requires { value.has_value(); }) {
     if (value) assign(json, *value);
