@@ -148,17 +148,15 @@ void expect_exact_stick(const HeldMode& mode, const std::function<HeldMotion(dou
   EXPECT_TRUE(held.events().empty());
 }
 
-class HeldModeNearResonance : public ::testing::TestWithParam<double> {};
-
 STICKSLIP_VERIFIES(HeldModeNearResonance, "D1");
-TEST_P(HeldModeNearResonance, FollowsTheClosedForm) {
-  // From far off to within 1e-6 of resonance.
-  const HeldMode mode{.load_omega = 3.0 * (1.0 + GetParam()), .wall = 0.05};
-  expect_exact_stick(mode, [&](double t) { return exact_motion(mode, t); });
+TEST(HeldModeNearResonance, FollowsTheClosedForm) {
+  for (const double detuning : {-0.5, -0.01, -1e-6, 1e-6, 1e-3, 0.1, 3.0}) {
+    SCOPED_TRACE(detuning);
+    // From far off to within 1e-6 of resonance.
+    const HeldMode mode{.load_omega = 3.0 * (1.0 + detuning), .wall = 0.05};
+    expect_exact_stick(mode, [&](double t) { return exact_motion(mode, t); });
+  }
 }
-
-INSTANTIATE_TEST_SUITE_P(Detuning, HeldModeNearResonance,
-                         ::testing::Values(-0.5, -0.01, -1e-6, 1e-6, 1e-3, 0.1, 3.0), NameOfDouble());
 
 STICKSLIP_VERIFIES(HeldMode, "D1");
 TEST(HeldMode, GrowsWithTimeAtResonance) {
@@ -173,20 +171,18 @@ TEST(HeldMode, GrowsWithTimeAtResonance) {
   });
 }
 
-class DampedHeldMode : public ::testing::TestWithParam<double> {};
-
 STICKSLIP_VERIFIES(DampedHeldMode, "D1");
-TEST_P(DampedHeldMode, FollowsTheClosedForm) {
-  // Fractions of critical damping, oscillating and creeping, at and off resonance.
-  for (const double load_omega : {2.0, 3.0, 7.0}) {
-    const HeldMode mode{
-        .damping = 6.0 * GetParam(), .load_omega = load_omega, .wall = 0.05, .contact_damping = 0.3};
-    expect_exact_stick(mode, [&](double t) { return exact_motion(mode, t); });
+TEST(DampedHeldMode, FollowsTheClosedForm) {
+  for (const double fraction : {1e-3, 0.1, 0.9, 1.2, 5.0}) {
+    SCOPED_TRACE(fraction);
+    // Fractions of critical damping, oscillating and creeping, at and off resonance.
+    for (const double load_omega : {2.0, 3.0, 7.0}) {
+      const HeldMode mode{
+          .damping = 6.0 * fraction, .load_omega = load_omega, .wall = 0.05, .contact_damping = 0.3};
+      expect_exact_stick(mode, [&](double t) { return exact_motion(mode, t); });
+    }
   }
 }
-
-INSTANTIATE_TEST_SUITE_P(FractionOfCritical, DampedHeldMode, ::testing::Values(1e-3, 0.1, 0.9, 1.2, 5.0),
-                         NameOfDouble());
 
 TEST(HeldMode, RefusesCriticalDamping) {
   EXPECT_THROW(EventDriven(contact_model(HeldMode{.damping = 6.0})), std::runtime_error);
@@ -195,58 +191,57 @@ TEST(HeldMode, RefusesCriticalDamping) {
 // One held mode with a spring between it and the contact: the force is a slow rise with a fast ripple on it.
 // In the unit of the limit, f = F sin(Omega t) + ripple, the ripple so high that f crosses the limit several
 // times within a cycle of it.
-class RippledForce : public ::testing::TestWithParam<double> {};
-
 STICKSLIP_VERIFIES(RippledForce, "D1");
-TEST_P(RippledForce, LetsGoAtTheFirstOfSeveralCrossings) {
-  const double damping = GetParam(), limit = 1.0;
-  int several = 0;
-  for (int phase = 0; phase < 60; ++phase) {
-    const HeldMode mode{.omega = 40.0,
-                        .damping = damping,
-                        .load_omega = 1.0,
-                        .coupling = 0.0,
-                        .load = 0.0,
-                        .wall = 0.08,
-                        .contact_damping = damping > 0.0 ? 0.02 : 0.0};
-    ContactModel model = contact_model(mode);
-    model.normal_force = limit / model.friction.static_coefficient();
-    const double ripple = 0.07 * (1.0 + 0.03 * phase), angle = 2.0 * pi * phase / 60.0;
-    const std::vector<double> amplitudes{ripple * std::cos(angle)}, rates{40.0 * ripple * std::sin(angle)};
+TEST(RippledForce, LetsGoAtTheFirstOfSeveralCrossings) {
+  for (const double damping : {0.0, 0.4}) {
+    SCOPED_TRACE(damping);
+    const double limit = 1.0;
+    int several = 0;
+    for (int phase = 0; phase < 60; ++phase) {
+      const HeldMode mode{.omega = 40.0,
+                          .damping = damping,
+                          .load_omega = 1.0,
+                          .coupling = 0.0,
+                          .load = 0.0,
+                          .wall = 0.08,
+                          .contact_damping = damping > 0.0 ? 0.02 : 0.0};
+      ContactModel model = contact_model(mode);
+      model.normal_force = limit / model.friction.static_coefficient();
+      const double ripple = 0.07 * (1.0 + 0.03 * phase), angle = 2.0 * pi * phase / 60.0;
+      const std::vector<double> amplitudes{ripple * std::cos(angle)}, rates{40.0 * ripple * std::sin(angle)};
 
-    ContactModel bonded = model;
-    bonded.normal_force = 1e6;
-    EventDriven held(bonded), sticking(model);
-    held.start_stuck(amplitudes, rates);
-    // A quiet run before lets the search begin with steps of many cycles.
-    sticking.start_stuck({0.0}, {0.0});
-    sticking.advance_to(0.6);
-    sticking.start_stuck(amplitudes, rates);
-    sticking.advance_to(1.5);
-    ASSERT_FALSE(sticking.events().empty());
-    const double onset = sticking.events().front().time;
+      ContactModel bonded = model;
+      bonded.normal_force = 1e6;
+      EventDriven held(bonded), sticking(model);
+      held.start_stuck(amplitudes, rates);
+      // A quiet run before lets the search begin with steps of many cycles.
+      sticking.start_stuck({0.0}, {0.0});
+      sticking.advance_to(0.6);
+      sticking.start_stuck(amplitudes, rates);
+      sticking.advance_to(1.5);
+      ASSERT_FALSE(sticking.events().empty());
+      const double onset = sticking.events().front().time;
 
-    // 4000 samples of the force of the held contact: none before the onset is above the limit.
-    int crossings = 0;
-    bool above = false;
-    for (int k = 1; k <= 4000; ++k) {
-      const double t = 1.5 * k / 4000.0;
-      held.advance_to(t);
-      const bool now = std::abs(held.friction_force()) > limit;
-      ASSERT_FALSE(now && t < onset) << phase << ": above the limit at " << t << " s, onset at " << onset;
-      crossings += now != above ? 1 : 0;
-      above = now;
+      // 4000 samples of the force of the held contact: none before the onset is above the limit.
+      int crossings = 0;
+      bool above = false;
+      for (int k = 1; k <= 4000; ++k) {
+        const double t = 1.5 * k / 4000.0;
+        held.advance_to(t);
+        const bool now = std::abs(held.friction_force()) > limit;
+        ASSERT_FALSE(now && t < onset) << phase << ": above the limit at " << t << " s, onset at " << onset;
+        crossings += now != above ? 1 : 0;
+        above = now;
+      }
+      several += crossings > 1 ? 1 : 0;
+      EventDriven until(bonded);
+      until.start_stuck(amplitudes, rates);
+      until.advance_to(onset);
+      EXPECT_TRUE(within(std::abs(until.friction_force()), limit, round_off(100, 60.0, limit)));
     }
-    several += crossings > 1 ? 1 : 0;
-    EventDriven until(bonded);
-    until.start_stuck(amplitudes, rates);
-    until.advance_to(onset);
-    EXPECT_TRUE(within(std::abs(until.friction_force()), limit, round_off(100, 60.0, limit)));
+    EXPECT_GT(several, 20) << "the ripple is to cross the limit more than once";
   }
-  EXPECT_GT(several, 20) << "the ripple is to cross the limit more than once";
 }
-
-INSTANTIATE_TEST_SUITE_P(Damping, RippledForce, ::testing::Values(0.0, 0.4), NameOfDouble());
 
 TEST(EventDriven, SeesAPeakOfTheForceHoweverShallow) {
   // f = A sin(2 pi t) against 1, A = 1 + depth: from wherever it starts to look, the mass lets go if A > 1 and not if
@@ -277,39 +272,38 @@ ContactModel beam_model(double kelvin_voigt, double hz = 25.0) {
       .model();
 }
 
-class EventDrivenBeamEnergy : public ::testing::TestWithParam<double> {};
-
 STICKSLIP_VERIFIES(EventDrivenBeamEnergy, "D3");
-TEST_P(EventDrivenBeamEnergy, IsBalancedAndLossesOnlyGrow) {
-  EventDriven beam(beam_model(GetParam()), {.keep_energy_balance = true});
-  const EventDrivenEnergy start = beam.energy_balance();
-  EventDrivenEnergy before = start;
-  for (int k = 1; k <= 60; ++k) {
-    beam.advance_to(0.005 * k);
-    const EventDrivenEnergy now = beam.energy_balance();
-    const double residual = now.kinetic + now.potential - start.kinetic - start.potential - now.base_work -
-                            now.follower_work + now.damping_loss + now.friction_loss;
-    // 10 steps per radian of the highest mode at 15 krad/s, 1e-12 per step of the works and the state.
-    ASSERT_TRUE(within(residual, 0.0, accumulated(1e-12, 10.0 * 15e3 * beam.time(), 1e-3)));
-    ASSERT_LT(std::abs(residual), 1e-10 * std::max(1.0, now.base_work));
-    ASSERT_GE(now.friction_loss, before.friction_loss);
-    if (GetParam() > 0.0) {
-      ASSERT_GT(now.damping_loss, before.damping_loss);
-    } else {
-      ASSERT_EQ(now.damping_loss, 0.0);
+TEST(EventDrivenBeamEnergy, IsBalancedAndLossesOnlyGrow) {
+  for (const double kelvin_voigt : {0.0, 6.4e-5}) {
+    SCOPED_TRACE(kelvin_voigt);
+    EventDriven beam(beam_model(kelvin_voigt), {.keep_energy_balance = true});
+    const EventDrivenEnergy start = beam.energy_balance();
+    EventDrivenEnergy before = start;
+    for (int k = 1; k <= 60; ++k) {
+      beam.advance_to(0.005 * k);
+      const EventDrivenEnergy now = beam.energy_balance();
+      const double residual = now.kinetic + now.potential - start.kinetic - start.potential - now.base_work -
+                              now.follower_work + now.damping_loss + now.friction_loss;
+      // 10 steps per radian of the highest mode at 15 krad/s, 1e-12 per step of the works and the state.
+      ASSERT_TRUE(within(residual, 0.0, accumulated(1e-12, 10.0 * 15e3 * beam.time(), 1e-3)));
+      ASSERT_LT(std::abs(residual), 1e-10 * std::max(1.0, now.base_work));
+      ASSERT_GE(now.friction_loss, before.friction_loss);
+      if (kelvin_voigt > 0.0) {
+        ASSERT_GT(now.damping_loss, before.damping_loss);
+      } else {
+        ASSERT_EQ(now.damping_loss, 0.0);
+      }
+      if (beam.state() == data::ContactState::slip) {
+        ASSERT_LE(beam.friction_force() * beam.sliding_velocity(), 0.0);
+        ASSERT_GE(std::abs(beam.friction_force()), 150.0);
+      }
+      ASSERT_LE(std::abs(beam.friction_force()), 300.0 * (1.0 + 1e-12));
+      before = now;
     }
-    if (beam.state() == data::ContactState::slip) {
-      ASSERT_LE(beam.friction_force() * beam.sliding_velocity(), 0.0);
-      ASSERT_GE(std::abs(beam.friction_force()), 150.0);
-    }
-    ASSERT_LE(std::abs(beam.friction_force()), 300.0 * (1.0 + 1e-12));
-    before = now;
+    EXPECT_GT(before.friction_loss, 5.0);
+    EXPECT_GT(beam.events().size(), 20u);
   }
-  EXPECT_GT(before.friction_loss, 5.0);
-  EXPECT_GT(beam.events().size(), 20u);
 }
-
-INSTANTIATE_TEST_SUITE_P(KelvinVoigt, EventDrivenBeamEnergy, ::testing::Values(0.0, 6.4e-5), NameOfDouble());
 
 STICKSLIP_VERIFIES(EventDrivenBeam, "D3");
 TEST(EventDrivenBeam, HistoryDoesNotDependOnTheTimesAskedFor) {

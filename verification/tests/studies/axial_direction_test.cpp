@@ -228,7 +228,7 @@ TEST_P(AxialDirection, EnergyOfADampedHistoryBalances) {
     EXPECT_TRUE(within(on_mesh, exact, discretisation(cost * exact, 2.0, "mode 3 on the mesh")));
 }
 
-INSTANTIATE_TEST_SUITE_P(Chi, AxialDirection, ::testing::Values(0.3, 1.0), NameOfDouble());
+INSTANTIATE_TEST_SUITE_P(Chi, AxialDirection, ::testing::Values(0.3, 1.0));
 
 STICKSLIP_VERIFIES(DeadLoadHistory, "X23");
 TEST(DeadLoadHistory, IsTheSameInBothImplementations) {

@@ -79,12 +79,4 @@ inline std::string parameter_name(double value) {
   return name;
 }
 
-/// For INSTANTIATE_TEST_SUITE_P over doubles.
-struct NameOfDouble {
-  template <typename Info>
-  std::string operator()(const Info& instance) const {
-    return parameter_name(instance.param);
-  }
-};
-
 }  // namespace stickslip::testing
