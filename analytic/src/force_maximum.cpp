@@ -269,13 +269,13 @@ class ForceMaximum::Search {
     for (const auto& [a, w] : force_.sinusoids_) *phases++ = {std::sin(w * t), std::cos(w * t)};
   }
 
-  /// The largest of a few values where the excitation is at its peaks: often all but the maximum, and the scale of the grid.
+  /// The largest of a few values, as the scale of the grid and often all but the maximum: where the excitation is at its
+  /// peaks and, in turn, where it passes zero, as it does at the peaks in resonance.
   double first_look() {
     const double half_period = std::numbers::pi / force_.sinusoids_.front().angular_frequency;
     const double start = std::min(0.5 * half_period, force_.duration_);
     const double rest = force_.duration_ - start;
-    const double step =
-        half_period * std::max(1.0, std::floor(rest / (half_period * static_cast<double>(kLooks))));
+    const double step = half_period * (0.5 + std::floor(rest / (half_period * static_cast<double>(kLooks))));
     std::vector<Phase> turns(force_.sinusoids_.size()), phases(turns.size());
     phases_at(step, turns.data());
     phases_at(start, phases.data());
