@@ -116,9 +116,7 @@ const Result& Results::operator()(const Study<Result>& study) {
   if (!kept.result) {
     announce_(study.what);
     const std::shared_ptr<const Result> result(new Result(study.run(*this)));
-    nlohmann::json json;
-    assign(json, *result);
-    write(folder_, study.name, std::move(json));
+    write(folder_, study.name, json_of(*result));
     kept.result = result;
   }
   return *static_cast<const Result*>(kept.result.get());

@@ -5,7 +5,6 @@
 /// members chosen, with the units of the list of members.
 
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -21,20 +20,23 @@ namespace stickslip::report {
 
 /// A result as JSON. Nothing is null.
 template <typename T>
-void assign(nlohmann::json& json, const T& value) {
+nlohmann::json json_of(const T& value) {
   if constexpr (studies::Described<T>) {
+    nlohmann::json object;
     visit_members(std::type_identity<T>{}, [&](std::string_view member, std::string_view, auto get) {
-      assign(entry_of(json, member), get(value));
+      entry_of(object, member) = json_of(get(value));
     });
+    return object;
   } else if constexpr (std::is_enum_v<T>) {
-    json = to_string(value);
+    return to_string(value);
   } else if constexpr (requires { value.has_value(); }) {
-    if (value) assign(json, *value);
+    return value ? json_of(*value) : nullptr;
   } else if constexpr (requires { value.begin(); } && !std::is_convertible_v<T, std::string_view>) {
-    json = nlohmann::json::array();
-    for (const auto& element : value) assign(json.emplace_back(), element);
+    nlohmann::json list = nlohmann::json::array();
+    for (const auto& element : value) list.push_back(json_of(element));
+    return list;
   } else {
-    json = value;
+    return value;
   }
 }
 
@@ -74,9 +76,7 @@ enum class TableShape { lines, grid };  ///< of a grid, an empty line follows th
 template <typename Results>
 CsvTable study_table(const std::string& title, const Results& results, std::string_view columns,
                      TableShape shape = TableShape::lines) {
-  nlohmann::json json;
-  assign(json, results);
-  return study_table(title, json, units_of<Results>(), columns, shape);
+  return study_table(title, json_of(results), units_of<Results>(), columns, shape);
 }
 
 }  // namespace stickslip::report

@@ -78,9 +78,7 @@ STICKSLIP_MEMBERS(Intervals, (intervals), (infinite, "m"), (nothing, "m"))
 
 STICKSLIP_VERIFIES(ReportTemplates, "U4");
 TEST_F(ReportTemplates, ReadEveryDigitOfAResult) {
-  json results;
-  report::assign(results, Intervals());
-  data::write_text(values() / "results.json", report::json_text(results));
+  data::write_text(values() / "results.json", report::json_text(report::json_of(Intervals())));
   EXPECT_EQ(filled_in("<< results.intervals[0].to | plain >>, << results.intervals[0].length | fixed(3) >>, "
                       "<< results.infinite == 'inf' >>, << results.nothing is none >>"),
             "0.3333333333333333, 0.233, True, True");
