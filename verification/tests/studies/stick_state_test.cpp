@@ -94,7 +94,7 @@ TEST(ForceMaximumAt, FiniteElementsReturnThePredictedMaximum) {
                                                       settings(10.0, radius));
       EXPECT_TRUE(within(study.finite_element, study.predicted_finite_element,
                          discretisation(study.prediction_uncertainty, 1.0, "PredictedForce::uncertainty")));
-      // The prediction is worth more than the printed digits: within 1 % of the converged hz.
+      // The prediction is worth more than the printed digits: within 1 % of the converged value.
       EXPECT_LT(study.prediction_uncertainty, 0.01 * study.finite_element);
       EXPECT_TRUE(within(study.finite_element, study.converged.midpoint(),
                          reference(0.01 * study.converged.midpoint(), "the printed values")));
