@@ -331,7 +331,7 @@ def summarise(part, seed, longest, rows):
     new = {"part": part, "seed": seed, "not_compiling": outcomes.count("not compiling"),
            "same_code": outcomes.count("same code"), "mutants": outcomes.count("killed") + len(survived),
            "killed": outcomes.count("killed"), "equivalent": len(survived) - len(open_ones), "survived": len(open_ones),
-           "longest_test": longest or "", "commit": commit}
+           "longest_test": f"{longest:g}" if longest else "", "commit": commit}
     file = FOLDER / "summary.csv"
     runs = [row for row in csv.DictReader(file.open(newline="")) if (row["part"], row["seed"]) != (part, str(seed))]
     with open(file, "w", newline="") as stream:
