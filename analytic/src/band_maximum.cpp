@@ -83,7 +83,7 @@ bool BandMaximum::exceeds(double limit) {
   if (sticks) return false;
   std::vector<Decided> ends;
   for (const double omega : marks_) ends.push_back(force_at(omega));
-  std::vector<std::pair<double, Decided*>> likely_first;
+  std::vector<std::pair<double, Decided*>> likely_first;  // by falling bound of the force
   for (Decided& end : ends) likely_first.emplace_back(-between(end.omega, end.omega).force, &end);
   std::ranges::sort(likely_first);
   for (const auto& [bound, end] : likely_first)
