@@ -2,13 +2,11 @@
 #pragma once
 
 #include <Eigen/SparseCholesky>
-#include <Eigen/SparseLU>
 
 #include "stickslip/solver/beam_model.hpp"
 
 namespace stickslip::solver {
 
-using SparseLu = Eigen::SparseLU<SparseMatrix, Eigen::NaturalOrdering<int>>;  // compiled in sparse_kernel.cpp
 using SparseCholesky = Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower, Eigen::NaturalOrdering<int>>;
 
 [[nodiscard]] inline bool is_positive_definite(const SparseCholesky& factorization) {
@@ -27,6 +25,3 @@ using SparseCholesky = Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower, Eigen::
 }
 
 }  // namespace stickslip::solver
-
-// It takes 8 s to compile, as what decompositions.hpp lists.
-extern template class Eigen::SparseLU<stickslip::solver::SparseMatrix, Eigen::NaturalOrdering<int>>;

@@ -1,37 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "stickslip/solver/contact_mobility.hpp"
 
+#include <Eigen/SparseLU>
 #include <stdexcept>
-#include <utility>
-#include <vector>
 
-#include "constrained.hpp"
 #include "stickslip/solver/decompositions.hpp"
 #include "stickslip/solver/generalized_alpha.hpp"
 
 namespace stickslip::solver {
-namespace {
-
-// The complex sum of multiples of matrices as a real matrix: of u and iv next to each other, so that a band remains one.
-SparseMatrix real_form(std::initializer_list<std::pair<std::complex<double>, const SparseMatrix*>> terms) {
-  std::vector<Eigen::Triplet<double, Eigen::Index>> entries;
-  for (const auto& [factor, matrix] : terms)
-    for (Eigen::Index column = 0; column < matrix->cols(); ++column)
-      for (SparseMatrix::InnerIterator entry(*matrix, column); entry; ++entry) {
-        const std::complex<double> value = factor * entry.value();
-        const Eigen::Index i = 2 * entry.row(), j = 2 * column;
-        entries.emplace_back(i, j, value.real());
-        entries.emplace_back(i + 1, j, value.imag());
-        entries.emplace_back(i, j + 1, -value.imag());
-        entries.emplace_back(i + 1, j + 1, value.real());
-      }
-  const Eigen::Index size = 2 * terms.begin()->second->rows();
-  SparseMatrix result(size, size);
-  result.setFromTriplets(entries.begin(), entries.end());
-  return result;
-}
-
-}  // namespace
 
 ContactMobility::ContactMobility(const ContactSystem& system)
     : mass_(system.mass),
@@ -81,10 +57,10 @@ ContactMobility::Complex ContactMobility::discrete(Complex zeta, double h, doubl
 // r(m, c, k).
 ContactMobility::Complex ContactMobility::receptance(Complex m, Complex c, Complex k) const {
   if (damping_.nonZeros() > 0) {
-    const SparseLu factorised(real_form({{m, &mass_}, {c, &damping_}, {k, &stiffness_}}));
-    const Eigen::VectorXd x =
-        factorised.solve(Eigen::VectorXd(Eigen::VectorXd::Unit(factorised.rows(), 2 * contact_)));
-    return {x[2 * contact_], x[2 * contact_ + 1]};
+    using ComplexMatrix = Eigen::SparseMatrix<Complex>;
+    const Eigen::SparseLU<ComplexMatrix, Eigen::NaturalOrdering<int>> factorised(ComplexMatrix(
+        m * mass_.cast<Complex>() + c * damping_.cast<Complex>() + k * stiffness_.cast<Complex>()));
+    return factorised.solve(Eigen::VectorXcd(Eigen::VectorXcd::Unit(mass_.rows(), contact_)))[contact_];
   }
   Complex a = 0.0, b = 0.0;
   for (Eigen::Index j = 0; j < eigenvalues_.size(); ++j) {

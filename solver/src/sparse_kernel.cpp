@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// Steps by factorised sparse matrices.
 
+#include <Eigen/SparseLU>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -8,11 +9,11 @@
 #include "constrained.hpp"
 #include "step_kernel.hpp"
 
-template class Eigen::SparseLU<stickslip::solver::SparseMatrix, Eigen::NaturalOrdering<int>>;
-
 namespace stickslip::solver {
 
 namespace {
+
+using SparseLu = Eigen::SparseLU<SparseMatrix, Eigen::NaturalOrdering<int>>;
 
 // A step of one length: its matrices, factorised when first used.
 struct StepMatrices {

@@ -20,7 +20,7 @@ namespace stickslip::solver {
 ///     a = Σ_j φ_j[c]²/(m + k λ_j),
 ///     b = Σ_j (l . φ_j) φ_j[c]/(m + k λ_j).
 ///
-/// With damping r takes the factorisation of a sparse matrix each time, which is real and of twice the size.
+/// With damping r takes the factorisation of a sparse matrix each time.
 ///
 /// For |s| -> infinity, Z = 1/Y = m_c s + c_c + O(1/s), with G = (M⁻¹)_cc:  m_c = 1/G is the mass that an
 /// impulse at the contact meets, c_c = (M⁻¹ C M⁻¹)_cc/G².
