@@ -21,6 +21,7 @@ import hashlib
 import json
 import math
 import re
+import subprocess
 import sys
 import tomllib
 import traceback
@@ -398,6 +399,7 @@ def read_values(templates, data, values):
     mutants = templates.parent.parent / "verification" / "mutants"
     known["mutant_runs"] = list(csv.DictReader((mutants / "summary.csv").read_text().splitlines()))
     known["mutants"] = list({run["part"]: run for run in known["mutant_runs"]}.values())  # the last of each part
+    known["changed_since"] = changed_since(templates, known["mutants"])
     known |= {"open": [], "equivalent": []} | tomllib.loads((mutants / "survivors.toml").read_text())
     known["history"] = list(csv.DictReader((mutants.parent / "history.csv").read_text().splitlines()))
     known["scoreboard"] = list(csv.DictReader((mutants.parent / "peers" / "scoreboard.csv").read_text().splitlines()))
@@ -420,6 +422,18 @@ def read_values(templates, data, values):
     known["guide"] = [step | {"resource": sets[step["set"]]} for step in accepted["guide"]]
     known["indexed"] = lambda kind, count: paper_index(kind, count, known["tests"], known["claim"])
     return known | {"zip": zip}
+
+
+def changed_since(folder, runs):
+    """How many sources outside the tests differ from those of some mutation run; None without git or that history."""
+    def changed(commit):
+        names = subprocess.run(["git", "diff", "--name-only", commit, "--", ":/*.[ch]pp", ":!/verification/tests"],
+                               cwd=folder, check=True, capture_output=True, text=True)
+        return len(names.stdout.splitlines())
+    try:
+        return max((changed(commit) for commit in {run["commit"] for run in runs}), default=None)
+    except (OSError, subprocess.CalledProcessError):
+        return None
 
 
 def digest_of(folder):
