@@ -61,6 +61,14 @@ TEST_F(Fault, StandardOutputThatIsFullIsNamed) {
   }
 }
 
+// A file that is opened then has the number 0.
+TEST_F(Fault, StandardInputThatIsClosedIsNoFault) {
+  const Outcome outcome =
+      shell("'" STICKSLIP_PROGRAM "' reference export stick-frequencies --output table.csv <&-");
+  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  EXPECT_TRUE(holds(contents("table.csv"), "mode,"));
+}
+
 // A folder below a file can be written by nobody, root included.
 TEST_F(Fault, FolderThatCannotBeWrittenIsNamedAtOnce) {
   std::ofstream("obstacle") << "in the way";

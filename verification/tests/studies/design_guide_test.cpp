@@ -244,7 +244,10 @@ TEST(DesignScan, OfADampedBeamHasTheMarginsOfStartUpAndSteadyVibration) {
     problem.damping = damping;
     const auto margin = studies::band_margin(problem, band);
     EXPECT_FALSE(margin.resonances.empty());
-    EXPECT_LE(margin.margin.upper / margin.margin.lower, 1.0 + 2e-6);
+    for (const analytic::Bounds& bounds : {margin.margin, margin.steady_margin}) {
+      EXPECT_GE(bounds.upper, bounds.lower);
+      EXPECT_LE(bounds.upper / bounds.lower, 1.0 + 2e-6);
+    }
     double least = margin.margin.upper, least_steady = margin.steady_margin.upper;
     const auto reaction = analytic::damped_reaction(problem.beam, damping, 10);
     for (int i = 0; i <= 2500; ++i) {
