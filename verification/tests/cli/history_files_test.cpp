@@ -89,7 +89,9 @@ TEST_F(HistoryFiles, AreDrawnFromFewRowsThatReachAsFarAsAll) {
   EXPECT_EQ(contents("look"), "Mine, 12\n");
   EXPECT_EQ(run("criterion paper --figure a.png").status, 1);  // this gnuplot finds no history.csv
   EXPECT_EQ(contents("look"), "paper, \n");
-  expect_refused("criterion paper --figure a.png --size 12", "--size is 12, but must be WIDTHxHEIGHT");
+  for (const std::string size : {"12", "3x12", "12x101"})
+    expect_refused("criterion paper --figure a.png --size " + size,
+                   "--size is " + size + ", but must be WIDTHxHEIGHT");
   expect_refused("criterion paper --size 12x8", "--size requires --figure");
 }
 

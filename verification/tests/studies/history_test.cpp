@@ -226,6 +226,7 @@ TEST(HistorySpectrum, HasTheLinesOfWholePeriods) {
       case_of("paper", {{"excitation.duration", "0.18"}, {"numerics.time_step", "1e-3"}});
   EXPECT_EQ(studies::spectrum_rows(problem, 1), 80u);
   EXPECT_EQ(studies::spectrum_rows(problem, 5), 16u);
+  EXPECT_EQ(studies::spectrum_rows(problem, 20), 4u);  // two in a period
   EXPECT_THROW((void)studies::spectrum_rows(problem, 25), data::FieldError);
   EXPECT_THROW((void)studies::spectrum_rows(case_of("paper", {{"excitation.duration", "0.07"}}), 1),
                data::FieldError);
