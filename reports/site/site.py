@@ -281,7 +281,7 @@ class Site:
         counts = [f"Part {one['part']}, seed {one['seed'] or 'none'}: {one['mutants']} mutants, {one['killed']} killed, {one['equivalent']} equivalent, "
                   f"{one['survived']} survived." for one in self.known["mutants"]]
         return Page("mutants", "Mutants", [
-            "A mutant is the program with one mistake. An open one is a survivor of the last runs, which a test could see and none does. An equivalent one "
+            "A mutant is the program with one mistake. An open one is a survivor: a test could see it, and none that ran does. An equivalent one "
             "changes no result that a test can see. The counts are those of the last recorded run of each part.", *counts,
             "Command: ./verification/run --mutants -- --part data"], ["Kind", "File", "Function", "Change", "Reason"], rows)
 
