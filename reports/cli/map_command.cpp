@@ -19,7 +19,7 @@ namespace stickslip::cli {
 
 namespace {
 
-constexpr const char* verdict = "verdict";
+constexpr const char* verdict_name = "verdict";
 constexpr double usual_tolerance = 0.05;
 
 struct MapOptions {
@@ -28,7 +28,7 @@ struct MapOptions {
   std::string y = "amplitude=5e-5:1e-3:20";
   std::optional<std::string> method;
   bool states_only{};
-  std::string quantity = verdict;
+  std::string quantity = verdict_name;
   std::optional<double> transient;
   std::optional<double> tolerance;
   bool dry_run{};
@@ -39,12 +39,12 @@ struct MapOptions {
 
 // NAME or NAME,NAME...; none for the verdict.
 std::vector<const studies::MotionQuantity*> quantities_of(const std::string& text) {
-  if (text == verdict) return {};
-  std::vector<std::string> known{verdict};
+  if (text == verdict_name) return {};
+  std::vector<std::string> known{verdict_name};
   for (const auto& quantity : studies::motion_quantities) known.emplace_back(quantity.name);
   const auto names = split(text, ',');
   for (const std::string_view name : names)
-    if (name == verdict || std::ranges::find(known, name) == known.end())
+    if (name == verdict_name || std::ranges::find(known, name) == known.end())
       throw data::FieldError(
           "--quantity", fmt::format("'{}'", data::printable(name)),
           fmt::format("one of {}, or some of those after the first with commas between them{}",
@@ -66,7 +66,7 @@ void require_consistent(const MapOptions& options, bool has_quantities) {
     throw data::FieldError("--tolerance", *options.tolerance, "above 0 and below 1");
 }
 
-studies::MapTask task_of(const MapOptions& options) {
+studies::MapTask map_task(const MapOptions& options) {
   const auto quantities = quantities_of(options.quantity);
   require_consistent(options, !quantities.empty());
   studies::MapTask task{.problem = load_case(options.problem),
@@ -166,10 +166,10 @@ void add_options(CLI::App& command, MapOptions& options) {
 }
 
 Answer run(const MapOptions& options, Outputs& outputs) {
-  if (options.dry_run) return cost_of_map(task_of(options), options.shard.value_or(MapPart()), outputs);
+  if (options.dry_run) return cost_of_map(map_task(options), options.shard.value_or(MapPart()), outputs);
   if (options.shard && options.output == "-")
     throw data::InputError("--output is standard output, but --shard needs --output FILE");
-  const auto task = options.merge.empty() ? std::optional(task_of(options)) : std::nullopt;
+  const auto task = options.merge.empty() ? std::optional(map_task(options)) : std::nullopt;
   outputs.open({{"--output", options.output}, {"--figure", options.figure}});
   if (!task) return merged_map(options.merge, outputs);
   return options.shard ? part_of_map(*task, *options.shard, outputs) : whole_map(*task, outputs);

@@ -36,7 +36,7 @@ const CLI::App& reached(const CLI::App& app) {
   return *deepest;
 }
 
-std::vector<std::string> subcommands_of(const CLI::App& app) {
+std::vector<std::string> subcommand_names(const CLI::App& app) {
   std::vector<std::string> names;
   for (const CLI::App* subcommand :
        app.get_subcommands([](const CLI::App* sub) { return !sub->get_group().empty(); }))
@@ -60,7 +60,7 @@ std::string unexpected(const CLI::App& app, const std::string& argument) {
     const std::string name = argument.substr(0, argument.find('='));
     return fmt::format("the option {} is unknown{}", text, data::suggestion(name, options_of(command)));
   }
-  if (const auto names = subcommands_of(command); !names.empty())
+  if (const auto names = subcommand_names(command); !names.empty())
     return fmt::format("the subcommand {} is unknown{}, but must be one of {}", text,
                        data::suggestion(argument, names), data::joined(names));
   return fmt::format("the argument {} is one more than {} takes", text, command.get_name());
@@ -152,7 +152,7 @@ std::string sentence_for(const CLI::App& app, const CLI::ParseError& error) {
 
 void require_subcommand(const CLI::App& app) {
   const CLI::App& command = reached(app);
-  const auto names = subcommands_of(command);
+  const auto names = subcommand_names(command);
   if (!names.empty())
     throw CLI::RequiredError("a subcommand of " + command.get_name() + ", one of " + data::joined(names) +
                              ",");

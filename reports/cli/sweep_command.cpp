@@ -59,7 +59,7 @@ std::string drawn(const report::CsvTable& table, const studies::SweepTask& task,
       {{"sweep.csv", table.text()}, {"sweep-values.csv", report::values_table(values).text()}});
 }
 
-studies::SweepTask task_of(const SweepOptions& options) {
+studies::SweepTask sweep_task(const SweepOptions& options) {
   const studies::MapAxis axis = parse_axis("--parameter", options.parameter);
   require_no_fixed_value(options.problem, axis.parameter, "--parameter");
   data::Case problem = load_case(options.problem);
@@ -99,7 +99,7 @@ Answer answer_of(const studies::SweepTask& task, const std::vector<studies::Swee
 }
 
 Answer sweep(const SweepOptions& options, Outputs& outputs) {
-  const studies::SweepTask task = task_of(options);
+  const studies::SweepTask task = sweep_task(options);
   outputs.about(task.problem);
   outputs.open({{"--output", options.output}, {"--figure", options.figure}});
   report::Progress& progress = outputs.progress();

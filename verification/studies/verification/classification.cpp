@@ -16,7 +16,6 @@ namespace stickslip::studies {
 namespace {
 
 constexpr int converged_modes = 60;
-constexpr int predicted_vibrations = 20;
 
 ClassifiedFrequency classified_frequency(const data::Case& problem, double hz) {
   const data::HarmonicExcitation unit({.frequency_hz = hz, .amplitude = 1e-3});
@@ -26,7 +25,7 @@ ClassifiedFrequency classified_frequency(const data::Case& problem, double hz) {
   const analytic::StickResponse reference(problem.beam, unit, converged_modes, analytic::SteadyPart::exact);
   const double truncated = criterion.force_max.midpoint();
   const double converged = reference.max_abs_friction_force(duration, 1e-8).midpoint();
-  const PredictedForce predicted(problem.beam, unit, problem.numerics, predicted_vibrations);
+  const PredictedForce predicted(problem.beam, unit, problem.numerics);
   return {.frequency_hz = hz,
           .critical_amplitude = criterion.critical_amplitude.midpoint(),
           .relative_truncation_error = std::abs(truncated - converged) / converged,

@@ -17,10 +17,6 @@ namespace stickslip::studies {
 
 namespace {
 
-constexpr int reference_modes = 100;
-// Number of modes whose discrete frequency is predicted well enough on the meshes used here.
-constexpr int predicted_modes = 20;
-
 double relative_difference(double a, double b) { return std::abs(a / b - 1.0); }
 
 }  // namespace
@@ -49,7 +45,7 @@ ForceMaximumStudy force_maximum_study(const data::Beam& beam, const data::Harmon
                                       const data::NumericalSettings& numerics) {
   const analytic::StickResponse truncated(beam, excitation, numerics.modes());
   const analytic::StickResponse converged(beam, excitation, reference_modes, analytic::SteadyPart::exact);
-  const PredictedForce predicted(beam, excitation, numerics, predicted_modes);
+  const PredictedForce predicted(beam, excitation, numerics);
   const double duration = numerics.duration();
   return {.frequency_hz = excitation.frequency_hz(),
           .amplitude = excitation.amplitude(),

@@ -30,8 +30,6 @@ namespace {
 constexpr double ratio = 1.5;
 constexpr int levels = 3;
 constexpr double formal_order = 4.0;
-constexpr int predicted_modes = 20;
-constexpr int reference_modes = 100;
 constexpr double figure9_duration = 1.0;  // s
 constexpr double first_stick_duration = 0.1;
 
@@ -115,7 +113,7 @@ void add_force_maxima(const data::Case& paper, std::vector<Plan>& plans) {
          [=](const Settings& at) { return solver::max_abs_friction_force(paper.beam, excitation, at); },
          reference,
          [=] {
-           const PredictedForce predicted(paper.beam, excitation, paper.numerics, predicted_modes);
+           const PredictedForce predicted(paper.beam, excitation, paper.numerics);
            return Prediction{std::abs(predicted.max_abs() - reference) + predicted.uncertainty(),
                              "predicted error of mesh and step, and the uncertainty of the prediction"};
          }});

@@ -52,7 +52,7 @@ TEST(Figure12, ClassifiesAlikeOutsideTheGuardBand) {
   EXPECT_TRUE(within(study.frequencies[0].relative_truncation_error, std::abs(truncated / converged - 1.0),
                      reference(1e-8, "the width of the bounds")));
   EXPECT_GE(study.frequencies[0].relative_discretisation_error,
-            studies::PredictedForce(paper_beam(), first, data::NumericalSettings(paper_choices(10.0)), 20)
+            studies::PredictedForce(paper_beam(), first, data::NumericalSettings(paper_choices(10.0)))
                     .uncertainty() /
                 converged);
   EXPECT_LE(study.in_guard_band, 10);

@@ -120,7 +120,7 @@ TEST(ForceMaximumOfTheFlatSection, IsThePredictedOneWhateverTheStep) {
     data::NumericalChoices choices = figure.numerics.choices();
     choices.time_step = step;
     const data::NumericalSettings numerics(choices);
-    const studies::PredictedForce predicted(beam, figure.excitation, numerics, 20);
+    const studies::PredictedForce predicted(beam, figure.excitation, numerics);
     const double computed = solver::max_abs_friction_force(beam, figure.excitation, numerics);
     EXPECT_TRUE(within(computed, predicted.max_abs(),
                        discretisation(predicted.uncertainty(), 1.0, "PredictedForce::uncertainty")))
@@ -232,7 +232,7 @@ TEST(StickState, PredictedForceIsUncertainByThreeParts) {
   expected += std::abs(remainder) * std::pow(omega * numerics.time_step(), 2) / 8.0;
   EXPECT_NEAR(predicted.uncertainty(), expected, 1e-9 * expected);
   // Of a single step the force is that at its end.
-  const studies::PredictedForce first(paper_beam(), figure9, settings(1e-4), 20);
+  const studies::PredictedForce first(paper_beam(), figure9, settings(1e-4));
   EXPECT_TRUE(within(first.max_abs(), solver::max_abs_friction_force(paper_beam(), figure9, settings(1e-4)),
                      discretisation(first.uncertainty(), 1.0, "PredictedForce::uncertainty")));
   EXPECT_LT(first.uncertainty(), 0.1 * first.max_abs());
