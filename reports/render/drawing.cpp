@@ -78,6 +78,9 @@ std::vector<fs::path> draw_in_scratch(const std::string& script, const Look& loo
     definitions +=
         fmt::format("; chosen_width={}; chosen_height={}", look.size_cm->first, look.size_cm->second);
   const int status = run_tool("gnuplot", {"-e", definitions, script + ".gp"}, folder, log);
+  if (look.size_cm && data::read_text(log).find("plot titles into key") != std::string::npos)
+    throw data::FieldError("--size", fmt::format("{}x{}", look.size_cm->first, look.size_cm->second),
+                           "so large that the legend fits into the figure");
   std::vector<fs::path> files;
   for (const std::string& drawing : drawings) {
     files.push_back(folder / drawing);

@@ -93,6 +93,9 @@ TEST_F(HistoryFiles, AreDrawnFromFewRowsThatReachAsFarAsAll) {
     expect_refused("criterion paper --figure a.png --size " + size,
                    "--size is " + size + ", but must be WIDTHxHEIGHT");
   expect_refused("criterion paper --size 12x8", "--size requires --figure");
+  install_gnuplot("echo drawn > $output; echo 'Warning - difficulty fitting plot titles into key?' >&2\n");
+  expect_refused("criterion paper --figure a.png --size 4x4",
+                 "--size is 4x4, but must be so large that the legend fits into the figure");
 }
 
 // Of a hundred thousand rows.
