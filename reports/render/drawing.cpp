@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 namespace {
 
 // gnuplot may report an error and yet leave a drawing behind, or say nothing and leave none.
-void require_success(int status, const fs::path& drawing, const fs::path& log) {
+void require_success(int status, const Look& look, const fs::path& drawing, const fs::path& log) {
   std::error_code error;
   const bool drawn = fs::exists(drawing, error) && fs::file_size(drawing, error) > 0;
   std::string words = data::read_text(log);
@@ -28,6 +28,9 @@ void require_success(int status, const fs::path& drawing, const fs::path& log) {
   if (words.ends_with(" frames in animation sequence\n") && std::ranges::count(words, '\n') == 1)
     words.clear();
   if (status == 0 && drawn && words.empty()) return;
+  if (look.size_cm && words.find("plot titles into key") != std::string::npos)
+    throw data::FieldError("--size", fmt::format("{}x{}", look.size_cm->first, look.size_cm->second),
+                           "so large that the legend fits into the figure");
   throw std::runtime_error(
       fmt::format("gnuplot could not draw {}: {}", drawing.filename().string(),
                   words.empty() ? fmt::format("it ended with status {} and said nothing", status) : words));
@@ -78,13 +81,10 @@ std::vector<fs::path> draw_in_scratch(const std::string& script, const Look& loo
     definitions +=
         fmt::format("; chosen_width={}; chosen_height={}", look.size_cm->first, look.size_cm->second);
   const int status = run_tool("gnuplot", {"-e", definitions, script + ".gp"}, folder, log);
-  if (look.size_cm && data::read_text(log).find("plot titles into key") != std::string::npos)
-    throw data::FieldError("--size", fmt::format("{}x{}", look.size_cm->first, look.size_cm->second),
-                           "so large that the legend fits into the figure");
   std::vector<fs::path> files;
   for (const std::string& drawing : drawings) {
     files.push_back(folder / drawing);
-    require_success(status, files.back(), log);
+    require_success(status, look, files.back(), log);
     if (look.format == "pdf") remove_date(files.back());
   }
   return files;

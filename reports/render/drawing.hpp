@@ -51,7 +51,7 @@ struct Look {
                                                                  OutputFolder& output);
 
 /// The bytes of a drawing by figures/<script>.gp of these tables, whose keys are the names of their files.
-/// Throws as draw() does.
+/// Throws as draw() does, and data::FieldError if the legend does not fit into look.size_cm.
 [[nodiscard]] std::string drawing_of(const std::string& script, const Look& look,
                                      const std::map<std::string, std::string>& tables);
 
