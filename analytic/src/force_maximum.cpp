@@ -19,8 +19,8 @@ constexpr double kMostGridPoints = 1e9;
 // leaves more pieces to the search behind it. Measured: 0.08 and 0.1 are fastest, 0.2 costs a sixth more.
 constexpr double kGridExcess = 0.1;
 constexpr std::size_t kBlock = 128;  // grid points that share their sines; a power of 2
-// A phase is turned by known angles this many times before it is computed again. Seven turns go before, in tabulate()
-// and from the start of a block.
+// A phase is turned from block to block, and from piece to smaller piece, this many times before it is computed again. Seven
+// turns go before, in tabulate() and from the start of a block: 22 in all.
 constexpr std::size_t kMostTurns = 8;
 constexpr std::size_t kLooks = 24;         // turns of the first look, the most of all
 constexpr double kTurning = 4.0 * kLooks;  // in units of kUnitRoundoff, at 4 a turn
@@ -226,14 +226,16 @@ class ForceMaximum::Search {
     see(force_.value(h * static_cast<double>(best - ends_.begin())), force_.rounding_);
     if (lower_ > too_much_) return;
 
-    start_.resize(all);
     double dropped = 0.0;
     for (std::size_t first = 0; first < intervals; first += kBlock) {
       const std::size_t last = std::min(first + kBlock, intervals);
-      if (drop(std::max(tops_[first / kBlock], ends_[last]) + chord + uncertainty)) continue;
+      if (drop(std::max(tops_[first / kBlock], ends_[last]) + chord + uncertainty)) {
+        turns_ = 0;
+        continue;
+      }
       if (depths_.empty()) deepen();
       tabulate_to(all, h);
-      phases_at((static_cast<double>(first) + 0.5) * h, start_.data());
+      to_block((static_cast<double>(first) + 0.5) * h, all);
       double low = most_to_drop() - chord - uncertainty;
       for (std::size_t i = first; i < last; ++i) {
         double top = 0.0;
@@ -260,8 +262,23 @@ class ForceMaximum::Search {
   void tabulate_to(std::size_t terms, double h) {
     sines_.reserve(force_.sinusoids_.size());
     cosines_.reserve(force_.sinusoids_.size());
-    for (std::size_t n = sines_.size(); n < terms; ++n)
-      tabulate(force_.sinusoids_[n].angular_frequency * h, sines_.emplace_back(), cosines_.emplace_back());
+    start_.resize(terms);
+    for (std::size_t n = sines_.size(); n < terms; ++n) {
+      const double angle = force_.sinusoids_[n].angular_frequency * h;
+      tabulate(angle, sines_.emplace_back(), cosines_.emplace_back());
+      const double whole = static_cast<double>(kBlock) * angle;
+      block_turns_.push_back({std::sin(whole), std::cos(whole)});
+    }
+  }
+
+  /// The first sinusoids' phases for a block that begins at t: turned from the block before unless turns_ is 0 or there were
+  /// too many turns.
+  void to_block(double t, std::size_t terms) {
+    const bool is_turned = turns_++ % kMostTurns != 0;
+    for (std::size_t n = 0; n < terms; ++n) {
+      const double angle = force_.sinusoids_[n].angular_frequency * t;
+      start_[n] = is_turned ? turned(start_[n], block_turns_[n]) : Phase{std::sin(angle), std::cos(angle)};
+    }
   }
 
   /// sin(w t) and cos(w t) of every sinusoid.
@@ -298,10 +315,10 @@ class ForceMaximum::Search {
     ends_.resize(blocks * kBlock);
     for (std::size_t first = 0; first < count && lower_ <= too_much_; first += kBlock) {
       double* const block = &ends_[first];
+      to_block(h * static_cast<double>(first), terms);
       for (std::size_t n = 0; n < terms; ++n) {
-        const auto& [a, w] = force_.sinusoids_[n];
-        const double t = h * static_cast<double>(first);
-        const double s = a * std::sin(w * t), c = a * std::cos(w * t);
+        const double a = force_.sinusoids_[n].amplitude;
+        const double s = a * start_[n].sine, c = a * start_[n].cosine;
         for (std::size_t i = 0; i < kBlock; ++i) block[i] += s * cosines_[n][i] + c * sines_[n][i];
       }
       if (!force_.beats_.empty())
@@ -317,6 +334,7 @@ class ForceMaximum::Search {
       tops_.push_back(*std::max_element(largest.begin(), largest.end()));
       see(tops_.back(), uncertainty);
     }
+    turns_ = 0;
   }
 
   /// Adds the next depth.
@@ -391,8 +409,11 @@ class ForceMaximum::Search {
   double radius_{};                   // of the pieces of the grid
   std::vector<double> ends_, tops_;   // |f_k| on the grid, and the largest of each block
   std::vector<Row> sines_, cosines_;  // by sinusoid, of w i h
-  std::vector<Phase> start_;          // in the middle of the first piece of a block
-  std::size_t column_{};              // of a piece in its block
+  std::vector<Phase>
+      start_;  // of a block: in sample() at its first point, then in the middle of its first piece
+  std::vector<Phase> block_turns_;  // from there to the next block
+  std::size_t turns_{};             // since start_ was computed
+  std::size_t column_{};            // of a piece in its block
   std::vector<Depth> depths_;
   std::vector<Phase> phases_;  // by depth and sinusoid
 };
