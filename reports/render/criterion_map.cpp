@@ -128,7 +128,7 @@ std::string draw(const CsvTable& table, const studies::CriterionMap& map, const 
 std::string draw(const data::Case& problem, const studies::CriticalAmplitudeCurve& curve, const Look& look) {
   CsvTable table("Critical amplitude of the case " + problem.name, "frequency [Hz], critical_amplitude [m]");
   CsvTable marks("Natural frequencies of the stick state", "frequency [Hz]");
-  for (std::size_t i = 0; i < curve.hz.size(); ++i) table.add_numbers({curve.hz[i], curve.amplitudes[i]});
+  for (const auto& [hz, amplitude] : curve.points) table.add_numbers({hz, amplitude});
   for (const double hz : curve.natural_hz) marks.add_numbers({hz});
   const auto values = values_table({{"excitation_frequency", problem.excitation.frequency_hz(), "Hz"},
                                     {"excitation_amplitude", problem.excitation.amplitude(), "m"}});

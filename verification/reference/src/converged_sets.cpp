@@ -11,11 +11,11 @@
 
 #include "sets.hpp"
 #include "stickslip/analytic/beam_boundary_integral.hpp"
-#include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/free_mode_run.hpp"
 #include "stickslip/analytic/slip_modes.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/analytic/stick_response.hpp"
+#include "studies/common/problem_parameter.hpp"
 #include "studies/history/history_convergence.hpp"
 #include "studies/history/method.hpp"
 
@@ -92,11 +92,10 @@ DataSet length_force_ratios() {
       data::BeamProperties properties = problem.beam.properties();
       properties.length = tenths / 10.0;
       properties.axial_force = axial_force;
-      const data::Beam beam(properties);
-      if (axial_force > 0.99 * analytic::stick_buckling_load(beam)) continue;
-      const analytic::Criterion criterion = analytic::evaluate_criterion(
-          beam, problem.friction, problem.excitation, problem.numerics.duration(), problem.numerics.modes(),
-          analytic::SteadyPart::modal_sum, width);
+      data::Case point = problem;
+      point.beam = data::Beam(properties);
+      if (axial_force > 0.99 * analytic::stick_buckling_load(point.beam)) continue;
+      const analytic::Criterion criterion = studies::criterion_of(point, width);
       const double ratio = criterion.force_max.midpoint() / criterion.friction_limit;
       add_row(set, {properties.length, axial_force, converged(ratio, (0.5 * width + rounding) * ratio)});
     }

@@ -22,19 +22,11 @@ namespace {
 
 using analytic::SteadyPart;
 
-constexpr double bounds_width = 1e-10;  // relative
-
 // The free vibrations that are kept where no truncation is asked for. Damping couples them.
 int kept_modes(const data::Case& problem) { return is_damped(problem) ? 40 : 200; }
 
 data::HarmonicExcitation unit_excitation(double frequency_hz) {
   return data::HarmonicExcitation({.frequency_hz = frequency_hz, .amplitude = 1.0});
-}
-
-analytic::Criterion criterion_of(const data::Case& problem, const data::HarmonicExcitation& excitation,
-                                 int modes, SteadyPart steady_part, double width) {
-  return analytic::evaluate_criterion(problem.beam, problem.friction, excitation, problem.numerics.duration(),
-                                      modes, steady_part, width, problem.damping);
 }
 
 // What the modes that are not kept can add to the undamped reaction at most, N per m.
@@ -137,7 +129,9 @@ analytic::Criterion criterion_with_all_modes(const data::Case& problem, double r
   const auto unit = unit_excitation(problem.excitation.frequency_hz());
   const int modes = std::min(most_modes, kept_modes(problem));
   const double omitted = omitted_transient_bound(problem, unit, modes);
-  const auto criterion = criterion_of(problem, unit, modes, SteadyPart::exact, relative_width);
+  const auto criterion =
+      analytic::evaluate_criterion(problem.beam, problem.friction, unit, problem.numerics.duration(), modes,
+                                   SteadyPart::exact, relative_width, problem.damping);
   const analytic::Bounds per_unit{std::max(0.0, criterion.force_max.lower - omitted),
                                   criterion.force_max.upper + omitted};
   const double limit = criterion.friction_limit, amplitude = problem.excitation.amplitude();
@@ -149,9 +143,8 @@ analytic::Criterion criterion_with_all_modes(const data::Case& problem, double r
 }
 
 CriterionAnswer criterion_answer(const data::Case& problem) {
-  CriterionAnswer answer{.truncated = criterion_of(problem, problem.excitation, problem.numerics.modes(),
-                                                   SteadyPart::modal_sum, bounds_width),
-                         .all_modes = criterion_with_all_modes(problem, bounds_width),
+  CriterionAnswer answer{.truncated = criterion_of(problem),
+                         .all_modes = criterion_with_all_modes(problem, 1e-10),
                          .steady = {},
                          .nearest = nearest_stick_frequency(problem),
                          .best_change = {}};
@@ -161,11 +154,21 @@ CriterionAnswer criterion_answer(const data::Case& problem) {
         best_change(problem, [&](std::string_view key, double value) -> std::optional<double> {
           const data::Case changed = data::with_value(problem, key, value);
           if (changed.beam.axial_force() >= analytic::stick_buckling_load(changed.beam)) return std::nullopt;
-          return margin_of(criterion_of(changed, changed.excitation, changed.numerics.modes(),
-                                        SteadyPart::modal_sum, bounds_width))
-              .lower;
+          return margin_of(criterion_of(changed)).lower;
         });
   return answer;
+}
+
+std::vector<CriticalAmplitudePoint> critical_amplitude_curve(const data::Case& problem,
+                                                             const std::vector<double>& frequencies_hz,
+                                                             double relative_width) {
+  std::vector<CriticalAmplitudePoint> points(frequencies_hz.size());
+  in_parallel(points.size(), [&](std::size_t i) {
+    const double hz = frequencies_hz[i];
+    const data::Case at_hz = data::with_value(problem, "excitation.frequency_hz", hz);
+    points[i] = {hz, criterion_of(at_hz, relative_width).critical_amplitude.midpoint()};
+  });
+  return points;
 }
 
 CriticalAmplitudeCurve critical_amplitude_curve(const data::Case& problem) {
@@ -176,17 +179,13 @@ CriticalAmplitudeCurve critical_amplitude_curve(const data::Case& problem) {
   for (const auto& share : analytic::modal_forces(problem.beam, problem.numerics.modes()))
     curve.natural_hz.push_back(share.angular_frequency / (2.0 * std::numbers::pi));
   const double last = std::max(reach * here, beyond * curve.natural_hz.front());
+  std::vector<double> frequencies;
   for (int i = 0; i <= steps; ++i)
-    curve.hz.push_back(first * std::pow(last / first, static_cast<double>(i) / steps));
+    frequencies.push_back(first * std::pow(last / first, static_cast<double>(i) / steps));
   for (const double hz : curve.natural_hz)
-    if (hz > first && hz < last) curve.hz.push_back(hz);
-  std::ranges::sort(curve.hz);
-  curve.amplitudes.resize(curve.hz.size());
-  in_parallel(curve.hz.size(), [&](std::size_t i) {
-    curve.amplitudes[i] = criterion_of(problem, unit_excitation(curve.hz[i]), problem.numerics.modes(),
-                                       SteadyPart::modal_sum, width)
-                              .critical_amplitude.midpoint();
-  });
+    if (hz > first && hz < last) frequencies.push_back(hz);
+  std::ranges::sort(frequencies);
+  curve.points = critical_amplitude_curve(problem, frequencies, width);
   return curve;
 }
 

@@ -61,15 +61,23 @@ struct CriterionAnswer {
 /// μₛ P over the largest |f|: below 1 the tip slips.
 [[nodiscard]] analytic::Bounds margin_of(const analytic::Criterion& criterion);
 
-/// The critical amplitude with numerics.modes against the excitation frequency, from a quarter of that of the case to four times
-/// it and beyond the first natural frequency, in equal ratios and at the natural frequencies.
+/// The amplitude of the base from which on the tip slips at one frequency.
+struct CriticalAmplitudePoint {
+  double frequency_hz{};
+  double critical_amplitude{};  ///< m
+};
+STICKSLIP_MEMBERS(CriticalAmplitudePoint, (frequency_hz, "Hz"), (critical_amplitude, "m"))
+
+/// By criterion_of() at each frequency (Hz), the middle of bounds of that width, Figs. 11 and 13. Uses thread_count() threads.
+[[nodiscard]] std::vector<CriticalAmplitudePoint> critical_amplitude_curve(
+    const data::Case& problem, const std::vector<double>& frequencies_hz, double relative_width = 1e-6);
+
+/// From a quarter of the excitation frequency of the case to four times it and beyond the first natural frequency, in equal ratios
+/// and at the natural frequencies; to a relative 1e-3.
 struct CriticalAmplitudeCurve {
   std::vector<double> natural_hz;  ///< of the modes, ascending
-  std::vector<double> hz;          ///< ascending
-  std::vector<double> amplitudes;  ///< at hz, m, to a relative 1e-3
+  std::vector<CriticalAmplitudePoint> points;
 };
-
-/// Uses thread_count() threads. Throws what evaluate_criterion() throws.
 [[nodiscard]] CriticalAmplitudeCurve critical_amplitude_curve(const data::Case& problem);
 
 /// The critical amplitude at one frequency of Fig. 6 by finite elements, computed in two ways.

@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <numbers>
 
-#include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "studies/common/parallel.hpp"
 #include "studies/common/problem_parameter.hpp"
@@ -24,10 +23,9 @@ data::Beam with_length_and_force(const data::Beam& beam, double length, double a
   return data::Beam(properties);
 }
 
-double force_ratio(const data::Case& problem, const data::Beam& beam) {
-  const analytic::Criterion criterion = analytic::evaluate_criterion(
-      beam, problem.friction, problem.excitation, problem.numerics.duration(), problem.numerics.modes(),
-      analytic::SteadyPart::modal_sum, width_of_a_ratio);
+double force_ratio(data::Case problem, const data::Beam& beam) {
+  problem.beam = beam;
+  const analytic::Criterion criterion = criterion_of(problem, width_of_a_ratio);
   return criterion.force_max.midpoint() / criterion.friction_limit;
 }
 

@@ -36,11 +36,7 @@ EstimatedFrequency frequency_of(const data::Case& problem, const OwnMeasurement&
 
 double sampled(const data::Case& problem, const OwnMeasurement& one) {
   if (is_frequency(one)) return frequency_of(problem, one).hz;
-  constexpr double width = 1e-6;
-  return analytic::evaluate_criterion(problem.beam, problem.friction, problem.excitation,
-                                      problem.numerics.duration(), problem.numerics.modes(),
-                                      analytic::SteadyPart::modal_sum, width, problem.damping)
-      .critical_amplitude.midpoint();
+  return criterion_of(problem, 1e-6).critical_amplitude.midpoint();
 }
 
 // S and u_num.

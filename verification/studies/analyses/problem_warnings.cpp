@@ -8,7 +8,6 @@
 #include <numbers>
 
 #include "stickslip/analytic/beam_contact_model.hpp"
-#include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/force_maximum.hpp"
 #include "stickslip/analytic/slip_modes.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
@@ -209,11 +208,7 @@ std::string shear_effect(const data::Case& problem) {
       fmt::format("with beam.shear_stiffness = {:.3g} (k = 5/6, nu = 0.3)", sheared.beam.shear_stiffness());
   if (problem.beam.axial_force() >= analytic::stick_buckling_load(sheared.beam))
     return choice + " the beam buckles";
-  const auto criterion = [](const data::Case& of) {
-    return analytic::evaluate_criterion(of.beam, of.friction, of.excitation, of.numerics.duration(),
-                                        of.numerics.modes(), analytic::SteadyPart::modal_sum, 1e-4);
-  };
-  const auto without = criterion(problem), with = criterion(sheared);
+  const auto without = criterion_of(problem, 1e-4), with = criterion_of(sheared, 1e-4);
   return fmt::format("{} |f_max| is {:.4g} N instead of {:.4g} N, and the verdict is {}{}", choice,
                      with.force_max.midpoint(), without.force_max.midpoint(), to_string(with.verdict),
                      with.verdict == without.verdict

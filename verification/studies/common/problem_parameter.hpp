@@ -3,6 +3,7 @@
 
 #include <numbers>
 
+#include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/data/key.hpp"
 
@@ -13,6 +14,9 @@ namespace stickslip::studies {
 
 /// μ_s P, N.
 [[nodiscard]] double friction_limit(const data::Case& problem);
+
+/// analytic::evaluate_criterion() of the case with its duration, modes and damping.
+[[nodiscard]] analytic::Criterion criterion_of(const data::Case& problem, double relative_width = 1e-10);
 
 /// Whether the case has Kelvin-Voigt damping or a damping ratio above 0.
 [[nodiscard]] bool is_damped(const data::Case& problem);

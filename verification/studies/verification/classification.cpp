@@ -5,11 +5,11 @@
 #include <cmath>
 #include <cstddef>
 
-#include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "studies/common/discretisation.hpp"
 #include "studies/common/parallel.hpp"
+#include "studies/common/problem_parameter.hpp"
 
 namespace stickslip::studies {
 
@@ -19,12 +19,12 @@ constexpr int converged_modes = 60;
 
 ClassifiedFrequency classified_frequency(const data::Case& problem, double hz) {
   const data::HarmonicExcitation unit({.frequency_hz = hz, .amplitude = 1e-3});
-  const double duration = problem.numerics.duration();
-  const analytic::Criterion criterion =
-      analytic::evaluate_criterion(problem.beam, problem.friction, unit, duration, problem.numerics.modes());
+  data::Case at_hz = problem;
+  at_hz.excitation = unit;
+  const analytic::Criterion criterion = criterion_of(at_hz);
   const analytic::StickResponse reference(problem.beam, unit, converged_modes, analytic::SteadyPart::exact);
   const double truncated = criterion.force_max.midpoint();
-  const double converged = reference.max_abs_friction_force(duration, 1e-8).midpoint();
+  const double converged = reference.max_abs_friction_force(problem.numerics.duration(), 1e-8).midpoint();
   const PredictedForce predicted(problem.beam, unit, problem.numerics);
   return {.frequency_hz = hz,
           .critical_amplitude = criterion.critical_amplitude.midpoint(),

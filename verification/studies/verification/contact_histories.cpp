@@ -9,7 +9,6 @@
 #include <iterator>
 #include <limits>
 
-#include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/data/paper.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
@@ -104,10 +103,7 @@ ContactHistory contact_history(const data::Case& problem, double shown, const st
   history.amplitude = problem.excitation.amplitude();
   history.finite_element_slip =
       solver::first_slip(problem.beam, problem.friction, problem.excitation, problem.numerics);
-  const double duration = problem.numerics.duration();
-  history.criterion_slips = analytic::evaluate_criterion(problem.beam, problem.friction, problem.excitation,
-                                                         duration, problem.numerics.modes())
-                                .verdict == analytic::Verdict::stick_slip;
+  history.criterion_slips = criterion_of(problem).verdict == analytic::Verdict::stick_slip;
   if (history.criterion_slips) {
     history.closed_form_slip = closed_form_first_slip(problem);
     const ConvergedEffort two_levels{.duration = shown,

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/data/paper.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
@@ -55,19 +54,6 @@ ForceMaximumStudy force_maximum_study(const data::Beam& beam, const data::Harmon
           .finite_element = solver::max_abs_friction_force(beam, excitation, numerics),
           .predicted_finite_element = predicted.max_abs(),
           .prediction_uncertainty = predicted.uncertainty()};
-}
-
-std::vector<CriticalAmplitudePoint> critical_amplitude_curve(const data::Case& problem,
-                                                             const std::vector<double>& frequencies_hz) {
-  std::vector<CriticalAmplitudePoint> curve;
-  for (const double hz : frequencies_hz) {
-    const data::HarmonicExcitation unit({.frequency_hz = hz, .amplitude = 1e-3});
-    const analytic::Criterion criterion =
-        analytic::evaluate_criterion(problem.beam, problem.friction, unit, problem.numerics.duration(),
-                                     problem.numerics.modes(), analytic::SteadyPart::modal_sum, 1e-6);
-    curve.push_back({hz, criterion.critical_amplitude.midpoint()});
-  }
-  return curve;
 }
 
 AmplitudeRatio amplitude_ratio(const std::vector<CriticalAmplitudePoint>& curve,

@@ -5,6 +5,7 @@
 
 #include "stickslip/analytic/force_maximum.hpp"
 #include "stickslip/data/problem.hpp"
+#include "studies/analyses/criterion_answer.hpp"
 #include "studies/common/members.hpp"
 
 namespace stickslip::studies {
@@ -38,17 +39,7 @@ STICKSLIP_MEMBERS(ForceMaximumStudy, (frequency_hz, "Hz"), (amplitude, "m"), (sa
                                                     const data::HarmonicExcitation& excitation,
                                                     const data::NumericalSettings& numerics);
 
-/// One point of the critical amplitude over frequency: the amplitude of the base from which on the tip slips.
-struct CriticalAmplitudePoint {
-  double frequency_hz{};
-  double critical_amplitude{};  ///< m
-};
-STICKSLIP_MEMBERS(CriticalAmplitudePoint, (frequency_hz, "Hz"), (critical_amplitude, "m"))
-/// The critical amplitude at each frequency (Hz), Figs. 11 and 13: closed form with N modes.
-[[nodiscard]] std::vector<CriticalAmplitudePoint> critical_amplitude_curve(
-    const data::Case& problem, const std::vector<double>& frequencies_hz);
-
-/// The ratio of two such curves, point by point: the values below which a tenth, half and nine tenths of all are.
+/// The ratio of two curves of the critical amplitude, point by point: the values below which a tenth, half and nine tenths of all are.
 struct AmplitudeRatio {
   double low_tenth{}, median{}, high_tenth{};
 };

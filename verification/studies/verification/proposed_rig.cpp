@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/slip_modes.hpp"
 #include "stickslip/data/case_file.hpp"
+#include "studies/common/problem_parameter.hpp"
 
 namespace stickslip::studies {
 
@@ -27,10 +27,7 @@ ProposedRig proposed_rig(const std::string& name) {
   for (const double hz : {10.0, 15.0, 20.0, 25.0, 30.0, 35.0, 60.0, 80.0}) {
     const data::Case problem =
         data::load_case(name, {{"excitation.frequency_hz", data::shortest_text(hz), "the rig"}});
-    const auto criterion = analytic::evaluate_criterion(
-        problem.beam, problem.friction, problem.excitation, problem.numerics.duration(),
-        problem.numerics.modes(), analytic::SteadyPart::modal_sum, 1e-6, problem.damping);
-    rig.onsets.push_back({hz, criterion.critical_amplitude.midpoint()});
+    rig.onsets.push_back({hz, criterion_of(problem, 1e-6).critical_amplitude.midpoint()});
   }
   return rig;
 }

@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <limits>
 
-#include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/damped_steady_state.hpp"
 #include "stickslip/analytic/stick_response.hpp"
 #include "studies/analyses/problem_warnings.hpp"
@@ -79,10 +78,7 @@ SlenderForce slender_force(const data::Case& paper) {
 SofterBeam softer_beam(const data::Case& paper, int last_hz) {
   const data::Case softer = with_value(paper, "beam.youngs_modulus", 0.5 * paper.beam.youngs_modulus());
   const auto critical = [](const data::Case& problem, double hz) {
-    return analytic::evaluate_criterion(problem.beam, problem.friction, at(problem, hz, 1e-3).excitation,
-                                        problem.numerics.duration(), problem.numerics.modes(),
-                                        analytic::SteadyPart::modal_sum, 1e-6)
-        .critical_amplitude.midpoint();
+    return criterion_of(at(problem, hz, 1e-3), 1e-6).critical_amplitude.midpoint();
   };
   SofterBeam result{.all = last_hz, .lowest_ratio = std::numeric_limits<double>::infinity()};
   for (int hz = 1; hz <= last_hz; ++hz) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 /// Claims of Sect. 5 on Fig. 14: which lengths and axial forces avoid stick-slip.
 
-#include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "studies/analyses/length_force_map.hpp"
+#include "studies/common/problem_parameter.hpp"
 #include "support/claims.hpp"
 #include "support/paper_case.hpp"
 #include "support/testing.hpp"
@@ -19,10 +19,9 @@ const data::Case& flat() {
 }
 
 bool slips(double length, double axial_force) {
-  return analytic::evaluate_criterion(flat_beam(length, axial_force), flat().friction, flat().excitation,
-                                      flat().numerics.duration(), flat().numerics.modes(),
-                                      analytic::SteadyPart::modal_sum, 1e-3)
-             .verdict == analytic::Verdict::stick_slip;
+  data::Case problem = flat();
+  problem.beam = flat_beam(length, axial_force);
+  return studies::criterion_of(problem, 1e-3).verdict == analytic::Verdict::stick_slip;
 }
 
 double buckling_load(double length) { return analytic::stick_buckling_load(flat_beam(length, 0.0)); }

@@ -379,11 +379,6 @@ TEST(ShearReaction, OfMeshesConvergesToTheClosedForm) {
   }
 }
 
-analytic::Criterion criterion_of(const data::Case& problem) {
-  return analytic::evaluate_criterion(problem.beam, problem.friction, problem.excitation,
-                                      problem.numerics.duration(), problem.numerics.modes());
-}
-
 STICKSLIP_VERIFIES(ShearScope, "X24");
 TEST(ShearScope, IsRefusedByNameWhereThereIsNoShear) {
   data::Case problem = data::load_case("paper");
@@ -420,7 +415,7 @@ TEST(ShearEffect, IsInTheWarningOfAThickBeam) {
   EXPECT_TRUE(holds(sentence, studies::shear_effect(thick)));
   data::Case sheared = thick;
   sheared.beam = studies::with_shear(thick.beam);
-  const auto criterion = criterion_of(sheared), slender = criterion_of(thick);
+  const auto criterion = studies::criterion_of(sheared), slender = studies::criterion_of(thick);
   EXPECT_EQ(
       studies::shear_effect(thick),
       fmt::format("with beam.shear_stiffness = 6.41e+06 (k = 5/6, nu = 0.3) |f_max| is {:.4g} N instead of "

@@ -2,9 +2,9 @@
 /// The margin to slipping over a band of frequencies, and the lengths and axial forces that keep it.
 
 #include "studies/analyses/design_guide.hpp"
-#include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/damped_reaction.hpp"
 #include "studies/analyses/length_force_map.hpp"
+#include "studies/common/problem_parameter.hpp"
 #include "support/testing.hpp"
 
 namespace stickslip::testing {
@@ -18,12 +18,9 @@ using studies::DesignScan;
 bool sticks_on_a_grid(const data::Case& problem, const FrequencyBand& band, int count) {
   for (int i = 0; i < count; ++i) {
     const double share = count > 1 ? static_cast<double>(i) / (count - 1) : 0.0;
-    const auto excitation =
-        with_value(problem, "excitation.frequency_hz", std::lerp(band.from_hz, band.to_hz, share)).excitation;
-    const auto criterion =
-        analytic::evaluate_criterion(problem.beam, problem.friction, excitation, problem.numerics.duration(),
-                                     10, analytic::SteadyPart::modal_sum, 1e-10, problem.damping);
-    if (criterion.verdict == analytic::Verdict::stick_slip) return false;
+    const data::Case at_hz =
+        with_value(problem, "excitation.frequency_hz", std::lerp(band.from_hz, band.to_hz, share));
+    if (studies::criterion_of(at_hz).verdict == analytic::Verdict::stick_slip) return false;
   }
   return true;
 }
@@ -259,9 +256,7 @@ TEST(DesignScan, OfADampedBeamHasTheMarginsOfStartUpAndSteadyVibration) {
     EXPECT_GE(least, margin.margin.lower);
     EXPECT_GE(least_steady, margin.steady_margin.lower);
     const auto at_worst = with_value(problem, "excitation.frequency_hz", margin.frequency_hz);
-    const auto criterion =
-        analytic::evaluate_criterion(at_worst.beam, at_worst.friction, at_worst.excitation, 10.0, 10,
-                                     analytic::SteadyPart::modal_sum, 1e-9, damping);
+    const auto criterion = studies::criterion_of(at_worst, 1e-9);
     EXPECT_NEAR(margin.margin.upper * criterion.force_max.midpoint(), 300.0, 300.0 * 1e-6);
     // 0.02 Hz beside the worst of a resonance that is 1 Hz wide.
     EXPECT_NEAR(least_steady, margin.steady_margin.lower, 1e-3 * least_steady);

@@ -207,9 +207,7 @@ TEST(AmplitudeLimits, AreThoseOfTheCommandAndItsSteadyAndShearedBeams) {
   finite_elements[1].linear = 2e-4;
   const auto study = studies::amplitude_limits(paper(), damped, {20.0, 25.0, 70.0}, finite_elements);
   const auto critical = [](const data::Case& problem) {
-    return analytic::evaluate_criterion(problem.beam, problem.friction, problem.excitation, 10.0, 10,
-                                        analytic::SteadyPart::modal_sum, 1e-6)
-        .critical_amplitude.midpoint();
+    return studies::criterion_of(problem, 1e-6).critical_amplitude.midpoint();
   };
   for (const auto& limit : study.limits) {
     data::Case problem = paper_at(limit.frequency_hz);
