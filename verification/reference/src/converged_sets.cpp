@@ -89,15 +89,13 @@ DataSet length_force_ratios() {
                                  {"/duration", "10"}});
   for (int tenths = 4; tenths <= 20; ++tenths)
     for (const double axial_force : {10.0, 30.0, 100.0, 300.0, 1000.0, 3000.0, 10000.0, 30000.0}) {
-      data::BeamProperties properties = problem.beam.properties();
-      properties.length = tenths / 10.0;
-      properties.axial_force = axial_force;
-      data::Case point = problem;
-      point.beam = data::Beam(properties);
+      const double length = tenths / 10.0;
+      const data::Case point =
+          data::with_value(data::with_value(problem, "beam.length", length), "beam.axial_force", axial_force);
       if (axial_force > 0.99 * analytic::stick_buckling_load(point.beam)) continue;
       const analytic::Criterion criterion = studies::criterion_of(point, width);
       const double ratio = criterion.force_max.midpoint() / criterion.friction_limit;
-      add_row(set, {properties.length, axial_force, converged(ratio, (0.5 * width + rounding) * ratio)});
+      add_row(set, {length, axial_force, converged(ratio, (0.5 * width + rounding) * ratio)});
     }
   return set;
 }

@@ -14,18 +14,9 @@ namespace stickslip::studies {
 
 namespace {
 
-constexpr double width_of_a_ratio = 1e-3;
-
-data::Beam with_length_and_force(const data::Beam& beam, double length, double axial_force) {
-  data::BeamProperties properties = beam.properties();
-  properties.length = length;
-  properties.axial_force = axial_force;
-  return data::Beam(properties);
-}
-
-double force_ratio(data::Case problem, const data::Beam& beam) {
-  problem.beam = beam;
-  const analytic::Criterion criterion = criterion_of(problem, width_of_a_ratio);
+double force_ratio(const data::Case& problem) {
+  constexpr double width = 1e-3;
+  const analytic::Criterion criterion = criterion_of(problem, width);
   return criterion.force_max.midpoint() / criterion.friction_limit;
 }
 
@@ -57,7 +48,9 @@ std::vector<double> graded_lengths(const LengthForceMap::Line& line, double shor
 }
 
 LengthForceMap::Line line_of(const data::Case& problem, double shortest, double longest, double axial_force) {
-  const data::Beam beam = with_length_and_force(problem.beam, shortest, axial_force);
+  const data::Case at_force =
+      data::with_value(data::with_value(problem, "beam.length", shortest), "beam.axial_force", axial_force);
+  const data::Beam& beam = at_force.beam;
   const double hz = problem.excitation.frequency_hz();
   LengthForceMap::Line line;
   line.axial_force = axial_force;
@@ -66,7 +59,7 @@ LengthForceMap::Line line_of(const data::Case& problem, double shortest, double 
   line.resonance_2 = resonance_length(beam, 2, hz);
   line.length = graded_lengths(line, shortest, longest);
   for (const double length : line.length)
-    line.force_ratio.push_back(force_ratio(problem, with_length_and_force(beam, length, axial_force)));
+    line.force_ratio.push_back(force_ratio(data::with_value(at_force, "beam.length", length)));
   return line;
 }
 
@@ -100,15 +93,18 @@ std::optional<double> resonance_length(const data::Beam& beam, int mode, double 
   const double half_load = 0.5 * beam.axial_force() / bending_stiffness;  // p/2, 1/m²
   const double k = beam.density() * beam.area() * omega * omega / bending_stiffness;
   const double wave_number = std::sqrt(half_load + std::sqrt(half_load * half_load + k));  // betabar, 1/m
-  const auto at = [&](double length) { return with_length_and_force(beam, length, beam.axial_force()); };
-
+  const auto hz_at = [&](double length) {
+    data::BeamProperties properties = beam.properties();
+    properties.length = length;
+    return stick_hz(data::Beam(properties), mode);
+  };
   double low = mode * std::numbers::pi / wave_number;
   double high = (mode + 0.5) * std::numbers::pi / wave_number;
   if (beam.axial_force() > 0.0) high = std::min(high, buckling_length(beam) * (1.0 - 1e-12));
-  if (low >= high || stick_hz(at(high), mode) > hz) return std::nullopt;
+  if (low >= high || hz_at(high) > hz) return std::nullopt;
   while (high - low > 1e-12) {
     const double middle = 0.5 * (low + high);
-    (stick_hz(at(middle), mode) > hz ? low : high) = middle;
+    (hz_at(middle) > hz ? low : high) = middle;
   }
   return 0.5 * (low + high);
 }
