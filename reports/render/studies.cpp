@@ -144,10 +144,8 @@ namespace {
 
 // ---- Cases
 
-data::NumericalSettings with_duration(const data::NumericalSettings& numerics, double duration) {
-  data::NumericalChoices choices = numerics.choices();
-  choices.duration = duration;
-  return data::NumericalSettings(choices);
+data::Case with_duration(const data::Case& problem, double seconds) {
+  return data::with_value(problem, "numerics.duration", seconds);
 }
 
 data::HarmonicExcitation printed_excitation(const std::string& frequency_id,
@@ -165,9 +163,8 @@ std::vector<data::HarmonicExcitation> printed_excitations() {
   return excitations;
 }
 
-data::Case at_frequency(data::Case problem, double hz) {
-  problem.excitation = data::HarmonicExcitation({hz, problem.excitation.amplitude()});
-  return problem;
+data::Case at_frequency(const data::Case& problem, double hz) {
+  return data::with_value(problem, "excitation.frequency_hz", hz);
 }
 
 data::Case undamped_at(const Results& r, double hz) {
@@ -234,7 +231,7 @@ const Study manufactured_solution("manufactured_solution", "manufactured solutio
 
 const Study stick_history("stick_history", "stick-state histories under refinement (Fig. 9)", [](Results& r) {
   constexpr int levels = 4;
-  return studies::stick_history_study(r.paper.beam, r(stick_excitation), with_duration(r.paper.numerics, 1.0),
+  return studies::stick_history_study(r.paper.beam, r(stick_excitation), with_duration(r.paper, 1.0).numerics,
                                       levels);
 });
 
@@ -385,9 +382,8 @@ const Study energy_audits("energy_audits", "energy balance", [](Results& r) {
 });
 
 const Study schemes("schemes", "contact schemes", [](Results& r) {
-  data::Case problem = r.paper;
+  data::Case problem = with_duration(r.paper, shown_duration);
   problem.excitation = r.damped.excitation;
-  problem.numerics = with_duration(r.paper.numerics, shown_duration);
   return studies::compare_schemes(problem);
 });
 
