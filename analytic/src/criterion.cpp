@@ -41,7 +41,7 @@ Criterion evaluate_criterion(const data::Beam& beam, const data::FrictionLaw& fr
 
   Criterion criterion;
   criterion.friction_limit = friction.static_coefficient() * beam.axial_force();
-  criterion.force_max = {excitation.amplitude() * per_unit.lower, excitation.amplitude() * per_unit.upper};
+  criterion.force_max = excitation.amplitude() * per_unit;
   criterion.critical_amplitude = {amplitude_at(criterion.friction_limit, per_unit.upper),
                                   amplitude_at(criterion.friction_limit, per_unit.lower)};
   criterion.verdict = verdict_of(criterion.force_max, criterion.friction_limit);

@@ -228,7 +228,7 @@ double StickResponse::curvature_bound(double duration) const {
 
 Bounds StickResponse::max_abs_friction_force(double duration, double relative_width) const {
   const Bounds per_unit = ForceMaximum(force_, omega_, duration).refined_to(relative_width);
-  return {amplitude_ * per_unit.lower, amplitude_ * per_unit.upper};
+  return amplitude_ * per_unit;
 }
 
 Bounds StickResponse::max_abs_friction_force_by_halving(double duration, double relative_width) const {
@@ -241,7 +241,7 @@ Bounds StickResponse::max_abs_friction_force_by_halving(double duration, double 
   for (int i = 1; i <= 64; ++i) magnitude = std::max(magnitude, magnitude_at(duration * i / 64.0));
   const std::int64_t intervals = interval_count(duration, std::sqrt(magnitude / curvature));
   const Bounds per_unit = maximum_by_halving(magnitude_at, duration, curvature, intervals, relative_width);
-  return {amplitude_ * per_unit.lower, amplitude_ * per_unit.upper};
+  return amplitude_ * per_unit;
 }
 
 Bounds StickResponse::sampled_max_abs_friction_force(double duration, double sampling_step) const {

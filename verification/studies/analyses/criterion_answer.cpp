@@ -105,8 +105,7 @@ CriticalAmplitudeSearch search(const data::Case& problem, double hz, double incr
 }  // namespace
 
 analytic::Bounds margin_of(const analytic::Criterion& criterion) {
-  return {criterion.friction_limit / criterion.force_max.upper,
-          criterion.friction_limit / criterion.force_max.lower};
+  return criterion.friction_limit / criterion.force_max;
 }
 
 std::optional<Change> best_change(
@@ -134,11 +133,11 @@ analytic::Criterion criterion_with_all_modes(const data::Case& problem, double r
                                    SteadyPart::exact, relative_width, problem.damping);
   const analytic::Bounds per_unit{std::max(0.0, criterion.force_max.lower - omitted),
                                   criterion.force_max.upper + omitted};
-  const double limit = criterion.friction_limit, amplitude = problem.excitation.amplitude();
-  const analytic::Bounds force{amplitude * per_unit.lower, amplitude * per_unit.upper};
+  const double limit = criterion.friction_limit;
+  const analytic::Bounds force = problem.excitation.amplitude() * per_unit;
   return {.force_max = force,
           .friction_limit = limit,
-          .critical_amplitude = {limit / per_unit.upper, limit / per_unit.lower},
+          .critical_amplitude = limit / per_unit,
           .verdict = analytic::verdict_of(force, limit)};
 }
 

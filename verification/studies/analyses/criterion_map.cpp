@@ -113,7 +113,7 @@ class Forces {
     const double limit = friction_limit(problem), amplitude = problem.excitation.amplitude();
     if (method_ == MapMethod::closed_form && !is_damped(problem))
       return amplitude > 0.0 && search(problem).exceeds(limit / amplitude);
-    return amplitude * unit_force(problem).lower > limit;
+    return analytic::verdict_of(amplitude * unit_force(problem), limit) == Verdict::stick_slip;
   }
 
  private:
@@ -186,7 +186,8 @@ void complete(CriterionMap::Cell& cell, const MapEvaluation& evaluation, const F
   const double ratio = factors.amplitude * evaluation.unit_force->midpoint() / limit;
   if (!std::isfinite(ratio)) data::throw_overflow("a force ratio of the map is not finite");
   if (!states_only) cell.force_ratio = ratio;
-  if (factors.amplitude * evaluation.unit_force->lower > limit) cell.state = Verdict::stick_slip;
+  if (analytic::verdict_of(factors.amplitude * *evaluation.unit_force, limit) == Verdict::stick_slip)
+    cell.state = Verdict::stick_slip;
 }
 
 struct Seconds {

@@ -207,9 +207,9 @@ BandMargin band_margin(const data::Case& problem, const analytic::FrequencyBand&
   analytic::BandMaximum search = search_of(problem, band);
   const analytic::Bounds unit = search.refined_to(relative_width);
   const double amplitude = problem.excitation.amplitude(), limit = friction_limit(problem);
-  BandMargin margin{.force_max = {amplitude * unit.lower, amplitude * unit.upper},
+  BandMargin margin{.force_max = amplitude * unit,
                     .friction_limit = limit,
-                    .margin = {limit / (amplitude * unit.upper), limit / (amplitude * unit.lower)},
+                    .margin = limit / (amplitude * unit),
                     .frequency_hz = search.frequency_hz(),
                     .evaluations = static_cast<int>(search.evaluations()),
                     .resonances = {},
@@ -217,7 +217,7 @@ BandMargin band_margin(const data::Case& problem, const analytic::FrequencyBand&
   if (is_damped(problem)) {
     const analytic::Bounds steady =
         search_of(problem, band, analytic::DampedForcePart::steady).refined_to(relative_width);
-    margin.steady_margin = {limit / (amplitude * steady.upper), limit / (amplitude * steady.lower)};
+    margin.steady_margin = limit / (amplitude * steady);
   }
   for (const auto& mode : analytic::stick_modes(problem.beam, problem.numerics.modes()))
     if (band.from_hz <= mode.frequency_hz() && mode.frequency_hz() <= band.to_hz)

@@ -21,6 +21,8 @@ namespace stickslip::studies {
 
 namespace {
 
+using analytic::Verdict;
+
 constexpr double force_width = 1e-8, band_width = 1e-3, common_width = 1e-6;
 constexpr std::size_t pilot_count = 1000;  // samples whose load factors are the range of the table of modes
 constexpr double most_tabulated = 0.999;   // of the buckling load, below which a table keeps its digits
@@ -94,7 +96,7 @@ class Verdicts {
     const analytic::Bounds force = force_ ? *force_ : unit_force(problem);
     return {.critical_amplitude = limit / force.midpoint(),
             .margin = limit / (amplitude * force.midpoint()),
-            .slips = amplitude * force.lower > limit};
+            .slips = analytic::verdict_of(amplitude * force, limit) == Verdict::stick_slip};
   }
 
  private:
@@ -366,9 +368,9 @@ SlipUncertainty slip_uncertainty(const data::Case& problem, const data::Uncertai
     if (verdicts.have_one_force()) force = criterion_of_all_modes(problem).force_max;
     const auto slips = [&](std::span<const double> values) {
       const data::Case sample = case_at(problem, uncertainty.keys, values);
-      if (!force) return criterion_of_all_modes(sample).verdict == analytic::Verdict::stick_slip;
+      if (!force) return criterion_of_all_modes(sample).verdict == Verdict::stick_slip;
       const double ratio = sample.excitation.amplitude() / problem.excitation.amplitude();
-      return ratio * force->lower > friction_limit(sample);
+      return analytic::verdict_of(ratio * *force, friction_limit(sample)) == Verdict::stick_slip;
     };
     result.all_modes =
         all_modes_of(samples, results_of(all_modes, joint, sampling, part(all_modes_work), slips));

@@ -33,6 +33,14 @@ struct Bounds {
   [[nodiscard]] constexpr double midpoint() const noexcept { return lower + 0.5 * (upper - lower); }
 };
 
+/// Bounds of a number of 0 or more times the value, and over it; the value is not below 0.
+[[nodiscard]] constexpr Bounds operator*(double number, const Bounds& value) noexcept {
+  return {number * value.lower, number * value.upper};
+}
+[[nodiscard]] constexpr Bounds operator/(double number, const Bounds& value) noexcept {
+  return {number / value.upper, number / value.lower};
+}
+
 /// One sinusoid a sin(w t) of a force or displacement history.
 struct Sinusoid {
   double amplitude{};          ///< a
