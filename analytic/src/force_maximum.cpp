@@ -409,11 +409,10 @@ class ForceMaximum::Search {
   double radius_{};                   // of the pieces of the grid
   std::vector<double> ends_, tops_;   // |f_k| on the grid, and the largest of each block
   std::vector<Row> sines_, cosines_;  // by sinusoid, of w i h
-  std::vector<Phase>
-      start_;  // of a block: in sample() at its first point, then in the middle of its first piece
-  std::vector<Phase> block_turns_;  // from there to the next block
-  std::size_t turns_{};             // since start_ was computed
-  std::size_t column_{};            // of a piece in its block
+  std::vector<Phase> start_;          // of a block: at its first point, or half a step after it
+  std::vector<Phase> block_turns_;    // from there to the next block
+  std::size_t turns_{};               // since start_ was computed
+  std::size_t column_{};              // of a piece in its block
   std::vector<Depth> depths_;
   std::vector<Phase> phases_;  // by depth and sinusoid
 };
