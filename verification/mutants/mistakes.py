@@ -101,12 +101,18 @@ class Source:
                 head = i + 1
             i += 1
 
+    @staticmethod
+    def _is_in_angles(words):
+        """Whether the next word is one of a template's arguments, as in std::function<double(double)>."""
+        brackets = "".join(word for word, before in zip(words, [""] + words) if word in ("<", ">", ">>") and before != "operator")
+        return brackets.count("<") > brackets.count(">")
+
     def _kind_of_brace(self, head, brace):
         """What a brace opens, and its name; the declaration before it begins at `head`."""
         words = self.words[head:brace]
         if "namespace" in words or words[:1] == ["extern"]:
             return "namespace", ""
-        call = head + words.index("(") if "(" in words else brace
+        call = next((head + k for k, word in enumerate(words) if word == "(" and not self._is_in_angles(words[:k])), brace)
         equals = head + words.index("=") if "=" in words else brace
         if call < equals:
             is_body = words[-1] in (")", "}", "const", "noexcept", "override", "final", "try") or "->" in words

@@ -19,6 +19,7 @@ struct Beam {
   bool operator<(const Beam& other) const { return mass_ < other.mass_; }
   int nodes_; double mass_;
 };
+std::function<double(double)> Beam::shape(int n) const { return [n](double x) { return n * x; }; }
 double Beam::load(double x, int i) const {
   if (x <= 0.0 || !ready) throw Error(1 + 2);
   std::vector<double> y(3);
@@ -38,7 +39,7 @@ def edits(function):
 class Mistakes(unittest.TestCase):
     def test_lie_in_functions_tables_and_constants(self):
         functions = {m.function for m in mistakes.mutants_of("part", "file.cpp", CODE)}
-        self.assertEqual(functions, {"limit", "table", "Beam::Beam", "Beam::operator<", "Beam::load"})
+        self.assertEqual(functions, {"limit", "table", "Beam::Beam", "Beam::operator<", "Beam::load", "Beam::shape"})
 
     def test_change_one_operator_number_index_condition_call_or_statement(self):
         self.assertLessEqual({
