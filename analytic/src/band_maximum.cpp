@@ -2,6 +2,7 @@
 #include "stickslip/analytic/band_maximum.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <limits>
@@ -16,6 +17,8 @@ constexpr double kTwoPi = 2.0 * std::numbers::pi;
 // The bounds of |f_max| at one frequency are narrower than those of the band by this, but not below the least width.
 constexpr double kShareOfWidth = 0.01, kLeastWidth = 1e-9;
 constexpr double kWidthOfADampedValue = 1e-8;
+// Of the bounds that decide whether a limit is exceeded: first wide ones, which mostly do, then narrow ones.
+constexpr std::array kWidthsOfAnAnswer{1e-3, 1e-10};
 
 }  // namespace
 
@@ -56,23 +59,31 @@ struct BandMaximum::Decided {
   double omega{};                     // rad/s
   std::optional<ForceMaximum> force;  // nothing where `known` is all there is to know
   Bounds known{0.0, std::numeric_limits<double>::infinity()};
-  [[nodiscard]] bool exceeds(double limit);
+  /// Bounds that are found on the way to the answer are kept, up to an upper one of `enough`.
+  [[nodiscard]] bool exceeds(double limit, double enough);
 };
 
 BandMaximum::Decided BandMaximum::force_at(double omega, double damped_width) const {
-  if (!damped_) return {.omega = omega, .force = ForceMaximum(reaction_, omega, duration_)};
+  if (!damped_) {
+    Decided undamped{.omega = omega, .force = ForceMaximum(reaction_, omega, duration_)};
+    undamped.known.upper = undamped.force->upper_bound();
+    return undamped;
+  }
   const DampedForce force(*damped_, omega, duration_ * marks_.back() / omega);
   if (part_ == DampedForcePart::start_up)
     return {.omega = omega, .force = {}, .known = force.refined_to(damped_width)};
   return {.omega = omega, .force = {}, .known = {force.steady_amplitude(), force.steady_amplitude()}};
 }
 
-bool BandMaximum::Decided::exceeds(double limit) {
-  if (limit < known.lower || limit >= known.upper || !force) return known.upper > limit;
-  const bool above = force->exceeds(limit);
-  (above ? known.lower : known.upper) =
-      above ? std::nextafter(limit, std::numeric_limits<double>::infinity()) : limit;
-  return above;
+bool BandMaximum::Decided::exceeds(double limit, double enough) {
+  for (const double width : kWidthsOfAnAnswer) {
+    if (limit < known.lower || limit >= known.upper || !force) break;
+    const Bounds found = force->refined_to(width, enough, limit);
+    known.lower = std::max(known.lower, found.lower);
+    if (found.lower <= limit) known.upper = std::min(known.upper, found.upper);
+    enough = limit;
+  }
+  return force ? known.lower > limit : known.upper > limit;
 }
 
 bool BandMaximum::exceeds(double limit) {
@@ -81,13 +92,15 @@ bool BandMaximum::exceeds(double limit) {
   for (std::size_t i = 1; sticks && i < marks_.size(); ++i)
     sticks = stays_below(marks_[i - 1], marks_[i], limit, most_halvings);
   if (sticks) return false;
-  std::vector<Decided> ends;
-  for (const double omega : marks_) ends.push_back(force_at(omega));
-  std::vector<std::pair<double, Decided*>> likely_first;  // by falling bound of the force
-  for (Decided& end : ends) likely_first.emplace_back(-between(end.omega, end.omega).force, &end);
+  std::vector<std::pair<double, std::size_t>> likely_first;  // ends, by falling bound of the force
+  for (std::size_t i = 0; i < marks_.size(); ++i)
+    likely_first.emplace_back(-between(marks_[i], marks_[i]).force, i);
   std::ranges::sort(likely_first);
-  for (const auto& [bound, end] : likely_first)
-    if (end->exceeds(limit)) return true;
+  std::vector<Decided> ends(marks_.size());
+  for (const auto& [bound, i] : likely_first) {
+    ends[i] = force_at(marks_[i]);
+    if (ends[i].exceeds(limit, limit)) return true;
+  }
   for (std::size_t i = 1; i < ends.size(); ++i)
     if (rises_above(ends[i - 1], ends[i], limit)) return true;
   return false;
@@ -100,11 +113,13 @@ bool BandMaximum::rises_above(Decided& from, Decided& to, double limit) const {
   if (most.force <= limit) return false;
   const double width = to.omega - from.omega, excess = width * width / 8.0 * most.curvature;
   const double enough = limit - excess;
-  if (enough > 0.0 && !from.exceeds(enough) && !to.exceeds(enough)) return false;
+  if (enough > 0.0 && !from.exceeds(enough, enough) && !to.exceeds(enough, enough)) return false;
   if (excess <= undecided * limit) return true;
   const double omega = from.omega + 0.5 * width;
   Decided middle = force_at(omega);
-  return middle.exceeds(limit) || rises_above(from, middle, limit) || rises_above(middle, to, limit);
+  const double next = limit - 0.25 * excess;  // what the halves ask for at most
+  return middle.exceeds(limit, next > 0.0 ? next : limit) || rises_above(from, middle, limit) ||
+         rises_above(middle, to, limit);
 }
 
 /// Whether the bounds of between() say so on an interval or on its parts.

@@ -426,10 +426,13 @@ Bounds ForceMaximum::refined_to(double relative_width, double enough, double too
   return Search(*this, relative_width, enough, too_much).bounds();
 }
 
+double ForceMaximum::upper_bound() const {
+  if (!beats_.empty()) return std::numeric_limits<double>::infinity();
+  return truncations_.front().rest + std::abs(sinusoids_.front().amplitude) + rounding_;
+}
+
 bool ForceMaximum::exceeds(double limit) const {
-  const double sum = truncations_.front().rest + std::abs(sinusoids_.front().amplitude);
-  if (beats_.empty() && sum + rounding_ <= limit) return false;
-  return refined_to(1e-10, limit, limit).lower > limit;
+  return upper_bound() > limit && refined_to(1e-10, limit, limit).lower > limit;
 }
 
 }  // namespace stickslip::analytic

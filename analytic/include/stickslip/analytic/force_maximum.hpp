@@ -69,6 +69,9 @@ class ForceMaximum {
   /// a lower bound above `too_much` ends the search, after which the upper one says nothing.
   [[nodiscard]] Bounds refined_to(double relative_width, double enough, double too_much) const;
 
+  /// The sum of the amplitudes, N/m, without a search; infinite within a beat of a resonance.
+  [[nodiscard]] double upper_bound() const;
+
   /// Whether max |f|/A0 exceeds the limit, N/m: refined_to(1e-10).lower > limit, with fewer evaluations.
   [[nodiscard]] bool exceeds(double limit) const;
 
