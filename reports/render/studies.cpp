@@ -145,7 +145,7 @@ namespace {
 // ---- Cases
 
 data::Case with_duration(const data::Case& problem, double seconds) {
-  return data::with_value(problem, "numerics.duration", seconds);
+  return data::with_value(problem, "excitation.duration", seconds);
 }
 
 data::HarmonicExcitation printed_excitation(const std::string& frequency_id,
