@@ -117,7 +117,7 @@ bool BandMaximum::rises_above(Decided& from, Decided& to, double limit) const {
   if (excess <= undecided * limit) return true;
   const double omega = from.omega + 0.5 * width;
   Decided middle = force_at(omega);
-  const double next = limit - 0.25 * excess;  // what the halves ask for at most
+  const double next = limit - 0.25 * excess;  // the least that the halves ask for
   return middle.exceeds(limit, next > 0.0 ? next : limit) || rises_above(from, middle, limit) ||
          rises_above(middle, to, limit);
 }

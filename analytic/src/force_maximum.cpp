@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <span>
 
 #include "arguments.hpp"
 #include "special_functions.hpp"
@@ -235,7 +236,7 @@ class ForceMaximum::Search {
       }
       if (depths_.empty()) deepen();
       tabulate_to(all, h);
-      to_block((static_cast<double>(first) + 0.5) * h, all);
+      to_block((static_cast<double>(first) + 0.5) * h);
       double low = most_to_drop() - chord - uncertainty;
       for (std::size_t i = first; i < last; ++i) {
         double top = 0.0;
@@ -271,19 +272,18 @@ class ForceMaximum::Search {
     }
   }
 
-  /// The first sinusoids' phases for a block that begins at t: turned from the block before unless turns_ is 0 or there were
-  /// too many turns.
-  void to_block(double t, std::size_t terms) {
-    const bool is_turned = turns_++ % kMostTurns != 0;
-    for (std::size_t n = 0; n < terms; ++n) {
-      const double angle = force_.sinusoids_[n].angular_frequency * t;
-      start_[n] = is_turned ? turned(start_[n], block_turns_[n]) : Phase{std::sin(angle), std::cos(angle)};
-    }
+  /// Sets start_ for a block that begins at t: turned from the block before unless turns_ is 0 or there were too many turns.
+  void to_block(double t) {
+    if (turns_++ % kMostTurns == 0) return phases_at(t, start_);
+    for (std::size_t n = 0; n < start_.size(); ++n) start_[n] = turned(start_[n], block_turns_[n]);
   }
 
-  /// sin(w t) and cos(w t) of every sinusoid.
-  void phases_at(double t, Phase* phases) const {
-    for (const auto& [a, w] : force_.sinusoids_) *phases++ = {std::sin(w * t), std::cos(w * t)};
+  /// sin(w t) and cos(w t) of as many sinusoids as there are phases.
+  void phases_at(double t, std::span<Phase> phases) const {
+    for (std::size_t n = 0; n < phases.size(); ++n) {
+      const double angle = force_.sinusoids_[n].angular_frequency * t;
+      phases[n] = {std::sin(angle), std::cos(angle)};
+    }
   }
 
   /// The largest of a few values, as the scale of the grid and often all but the maximum: where the excitation is at its
@@ -294,8 +294,8 @@ class ForceMaximum::Search {
     const double rest = force_.duration_ - start;
     const double step = half_period * (0.5 + std::floor(rest / (half_period * static_cast<double>(kLooks))));
     std::vector<Phase> turns(force_.sinusoids_.size()), phases(turns.size());
-    phases_at(step, turns.data());
-    phases_at(start, phases.data());
+    phases_at(step, turns);
+    phases_at(start, phases);
     const double last = std::min(rest / step, static_cast<double>(kLooks) - 1.0);
     for (double i = 0.0; i <= last; ++i) {
       double value = force_.beats(start + i * step);
@@ -315,7 +315,7 @@ class ForceMaximum::Search {
     ends_.resize(blocks * kBlock);
     for (std::size_t first = 0; first < count && lower_ <= too_much_; first += kBlock) {
       double* const block = &ends_[first];
-      to_block(h * static_cast<double>(first), terms);
+      to_block(h * static_cast<double>(first));
       for (std::size_t n = 0; n < terms; ++n) {
         const double a = force_.sinusoids_[n].amplitude;
         const double s = a * start_[n].sine, c = a * start_[n].cosine;
@@ -347,7 +347,7 @@ class ForceMaximum::Search {
     next.uncertainty = kept.rest + force_.rounding_ + (is_exact ? 0.0 : turning_);
     next.excess = kept.third * next.radius * next.radius * next.radius / 6.0 + next.uncertainty;
     next.half_radius.resize(force_.sinusoids_.size());
-    phases_at(0.5 * next.radius, next.half_radius.data());
+    phases_at(0.5 * next.radius, next.half_radius);
     depths_.push_back(std::move(next));
     phases_.resize((depths_.size() + 1) * force_.sinusoids_.size());
   }
@@ -369,7 +369,7 @@ class ForceMaximum::Search {
       Phase* const to = &phases_[(depth + 1) * all];
       const double middle = t + side * 0.5 * radius;
       if ((depth + 1) % kMostTurns == 0)
-        phases_at(middle, to);
+        phases_at(middle, {to, all});
       else
         for (std::size_t n = 0; n < all; ++n) {
           const auto& [sine, cosine] = depths_[depth].half_radius[n];
