@@ -140,16 +140,17 @@ std::vector<double> held_displacement(const data::Beam& beam, const data::Harmon
   return values;
 }
 
-BeamBoundaryIntegral::BeamBoundaryIntegral(const data::Beam& beam, const data::FrictionLaw& friction,
-                                           const data::HarmonicExcitation& excitation,
-                                           const data::Damping& damping, const TimeGrid& grid, int stages,
-                                           const data::TangentialContact& tangential)
-    : beam_(beam), excitation_(excitation), damping_(damping), grid_(grid), stages_(stages) {
-  require_compression(beam);
-  const ContactLaw law{beam.axial_force(), friction, tangential, grid.time_step};
+BeamBoundaryIntegral::BeamBoundaryIntegral(const data::Case& problem, const TimeGrid& grid, int stages)
+    : beam_(problem.beam),
+      excitation_(problem.excitation),
+      damping_(problem.damping),
+      grid_(grid),
+      stages_(stages) {
+  require_compression(beam_);
+  const ContactLaw law{beam_.axial_force(), problem.friction, problem.contact, grid.time_step};
   require_unique_step(law, 0.0);  // what is refused without the weights, which take long
-  const TipMobility mobility(beam, damping);
-  holding_force_ = holding_force(beam, excitation, damping, grid);
+  const TipMobility mobility(beam_, damping_);
+  holding_force_ = holding_force(beam_, excitation_, damping_, grid);
   steps_ = contact_steps(mobility_weights(mobility, grid.time_step, grid.steps, stages), law, holding_force_);
 }
 

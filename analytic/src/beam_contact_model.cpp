@@ -97,6 +97,10 @@ BeamContactModel::BeamContactModel(const data::Beam& beam, const data::FrictionL
   if (damping.kelvin_voigt() > 0.0 || damping.ratio() > 0.0) add_damping(beam, damping, mass);
 }
 
+BeamContactModel::BeamContactModel(const data::Case& problem, int modes)
+    : BeamContactModel(problem.beam, problem.friction, problem.excitation, problem.damping, modes,
+                       problem.wall) {}
+
 void BeamContactModel::add_damping(const data::Beam& beam, const data::Damping& damping, const Matrix& mass) {
   const std::size_t m = modes_.size();
   const auto slopes = [this](double x) {

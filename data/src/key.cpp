@@ -174,7 +174,7 @@ double value_of(const Case& problem, std::string_view path) {
   return key_named(path).member.get(numbers_in(problem));
 }
 
-Case with_values(const Case& problem, std::span<const std::pair<std::string_view, double>> values) {
+Case with_values(const Case& problem, const std::vector<std::pair<std::string_view, double>>& values) {
   const auto has_value = [&](std::string_view path) {
     return std::ranges::find(values, path, &std::pair<std::string_view, double>::first) != values.end();
   };
@@ -204,8 +204,7 @@ Case with_values(const Case& problem, std::span<const std::pair<std::string_view
 }
 
 Case with_value(const Case& problem, std::string_view path, double value) {
-  const std::array values{std::pair(path, value)};
-  return with_values(problem, values);
+  return with_values(problem, {{path, value}});
 }
 
 }  // namespace stickslip::data

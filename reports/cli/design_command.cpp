@@ -3,7 +3,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <optional>
@@ -52,9 +51,7 @@ Ranges ranges_of(const data::Case& problem, const DesignOptions& options) {
 
 // The case at the highest frequency of the band and that length.
 data::Case at_the_end_of(const data::Case& problem, const analytic::Bounds& band, double length) {
-  const std::array<std::pair<std::string_view, double>, 2> values{
-      {{"excitation.frequency_hz", band.upper}, {"beam.length", length}}};
-  return data::with_values(problem, values);
+  return with_values(problem, {{"excitation.frequency_hz", band.upper}, {"beam.length", length}});
 }
 
 std::string reason_for(const studies::DesignInterval& interval, bool is_one_frequency) {

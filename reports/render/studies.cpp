@@ -168,9 +168,7 @@ data::Case at_frequency(const data::Case& problem, double hz) {
 }
 
 data::Case undamped_at(const Results& r, double hz) {
-  data::Case problem = at_frequency(r.damped, hz);
-  problem.damping = data::Damping();
-  return problem;
+  return with(at_frequency(r.damped, hz), data::Damping());
 }
 
 const Study paper("paper", "the paper's case", [](Results& r) { return r.paper; });
@@ -231,14 +229,13 @@ const Study manufactured_solution("manufactured_solution", "manufactured solutio
 
 const Study stick_history("stick_history", "stick-state histories under refinement (Fig. 9)", [](Results& r) {
   constexpr int levels = 4;
-  return studies::stick_history_study(r.paper.beam, r(stick_excitation), with_duration(r.paper, 1.0).numerics,
-                                      levels);
+  return studies::stick_history_study(with(with_duration(r.paper, 1.0), r(stick_excitation)), levels);
 });
 
 const Study force_maxima("force_maxima", "largest static friction forces", [](Results& r) {
   std::vector<studies::ForceMaximumStudy> maxima;
   for (const auto& excitation : printed_excitations())
-    maxima.push_back(studies::force_maximum_study(r.paper.beam, excitation, r.paper.numerics));
+    maxima.push_back(studies::force_maximum_study(with(r.paper, excitation)));
   return maxima;
 });
 
@@ -382,18 +379,14 @@ const Study energy_audits("energy_audits", "energy balance", [](Results& r) {
 });
 
 const Study schemes("schemes", "contact schemes", [](Results& r) {
-  data::Case problem = with_duration(r.paper, shown_duration);
-  problem.excitation = r.damped.excitation;
-  return studies::compare_schemes(problem);
+  return studies::compare_schemes(with(with_duration(r.paper, shown_duration), r.damped.excitation));
 });
 
 const Study beam_motions("beam_motions", "motions of the whole beam (Fig. 3)", [](Results& r) {
   constexpr int snapshots = 9, places = 61;
   std::vector<studies::BeamMotionStudy> motions;
   for (const auto& excitation : printed_excitations()) {
-    data::Case problem = r.paper;
-    problem.excitation = excitation;
-    motions.push_back(studies::beam_motion_study(problem, snapshots, places));
+    motions.push_back(studies::beam_motion_study(with(r.paper, excitation), snapshots, places));
   }
   return motions;
 });

@@ -91,10 +91,11 @@ void require_undamped(const data::Damping& damping) {
 }
 
 // Nodal or modal.
-Coordinates coordinates_of(const BeamRun& run, int elements) {
-  if (run.coordinates == Coordinates::fastest) return fastest_coordinates(elements, run.damping, run.scheme);
+Coordinates coordinates_of(const data::Case& problem, const BeamRun& run) {
+  if (run.coordinates == Coordinates::fastest)
+    return fastest_coordinates(problem.numerics.elements(), problem.damping, run.scheme);
   if (run.coordinates == Coordinates::nodal) return Coordinates::nodal;
-  require_undamped(run.damping);
+  require_undamped(problem.damping);
   if (run.scheme == ContactScheme::paper)
     throw std::logic_error(
         "the scheme of the paper overwrites a nodal velocity: it has no modal coordinates");
@@ -134,30 +135,29 @@ BeamModel checked_model(const data::Beam& beam, int elements, TipContact contact
 
 }  // namespace
 
-BeamSimulation::BeamSimulation(const data::Beam& beam, const data::FrictionLaw& friction,
-                               const data::HarmonicExcitation& excitation,
-                               const data::NumericalSettings& numerics, const BeamRun& run)
-    : model_(checked_model(beam, numerics.elements(), run.contact)), base_(harmonic_motion(excitation)) {
-  const Coordinates coordinates = coordinates_of(run, numerics.elements());
-  const IntegratorSettings settings = integrator_settings(numerics, run, coordinates);
+BeamSimulation::BeamSimulation(const data::Case& problem, const BeamRun& run)
+    : model_(checked_model(problem.beam, problem.numerics.elements(), run.contact)),
+      base_(harmonic_motion(problem.excitation)) {
+  const Coordinates coordinates = coordinates_of(problem, run);
+  const IntegratorSettings settings = integrator_settings(problem.numerics, run, coordinates);
   const Eigen::VectorXd at_rest = Eigen::VectorXd::Zero(model_.degrees_of_freedom());
-  Eigen::VectorXd velocity = (run.wall.speed() - base_.velocity(0.0)) * model_.unit_tip_deflection();
+  Eigen::VectorXd velocity = (problem.wall.speed() - base_.velocity(0.0)) * model_.unit_tip_deflection();
   if (run.initial_velocity == InitialVelocity::zero)
     velocity.head(model_.tip_deflection()).setZero(), velocity[model_.tip_rotation()] = 0.0;
-  ContactSystem system = beam_contact_system(model_, friction, base_, run.damping, run.wall);
+  ContactSystem system = beam_contact_system(model_, problem.friction, base_, problem.damping, problem.wall);
   if (coordinates == Coordinates::modal) {
     const HeldTipBasis basis = held_tip_basis(model_);
-    system = modal_contact_system(model_, basis, friction, base_, run.wall);
+    system = modal_contact_system(model_, basis, problem.friction, base_, problem.wall);
     basis_.resize(model_.degrees_of_freedom(), model_.degrees_of_freedom());
     basis_ << basis.modes, basis.static_shape;
     velocity = modal_coordinates(model_, basis, velocity);
   }
-  require_resolved_spring(run.tangential, friction.static_coefficient() * system.normal_force,
-                          excitation.amplitude());
-  system.tangential = run.tangential;
+  require_resolved_spring(problem.contact, problem.friction.static_coefficient() * system.normal_force,
+                          problem.excitation.amplitude());
+  system.tangential = problem.contact;
   if (run.contact == TipContact::bonded) system.normal_force = bonding_force;
   integrator_ = std::make_unique<StickSlipIntegrator>(std::move(system), settings);
-  midspan_ = weights_at(0.5 * beam.length());
+  midspan_ = weights_at(0.5 * problem.beam.length());
   integrator_->start_stuck(at_rest, velocity);
 }
 
@@ -182,37 +182,36 @@ double BeamSimulation::midspan_displacement() const {
 
 long step_count(double duration, double time_step) { return std::lround(duration / time_step); }
 
-double max_abs_friction_force(const data::Beam& beam, const data::HarmonicExcitation& excitation,
-                              const data::NumericalSettings& numerics, const data::Damping& damping,
-                              Coordinates coordinates) {
-  const BeamRun run{.contact = TipContact::bonded, .damping = damping, .coordinates = coordinates};
-  if (coordinates_of(run, numerics.elements()) == Coordinates::modal)
-    return ModalStickRun(beam, excitation, numerics)
-        .max_abs_friction_force(step_count(numerics.duration(), numerics.time_step()));
-  const data::FrictionLaw unused({});
-  BeamSimulation simulation(beam, unused, excitation, numerics, run);
+double max_abs_friction_force(const data::Case& problem, Coordinates coordinates) {
+  const BeamRun run{.contact = TipContact::bonded, .coordinates = coordinates};
+  const long steps = step_count(problem.numerics.duration(), problem.numerics.time_step());
+  if (coordinates_of(problem, run) == Coordinates::modal)
+    return ModalStickRun(problem.beam, problem.excitation, problem.numerics).max_abs_friction_force(steps);
+  data::Case held = problem;
+  held.friction = data::FrictionLaw({});
+  held.contact = {}, held.wall = {};
+  BeamSimulation simulation(held, run);
   double largest = std::abs(simulation.friction_force());
-  for (long n = step_count(numerics.duration(), numerics.time_step()); n > 0; --n) {
+  for (long n = steps; n > 0; --n) {
     simulation.step();
     largest = std::max(largest, std::abs(simulation.friction_force()));
   }
   return largest;
 }
 
-std::optional<double> first_slip(const data::Beam& beam, const data::FrictionLaw& friction,
-                                 const data::HarmonicExcitation& excitation,
-                                 const data::NumericalSettings& numerics, const data::Damping& damping,
-                                 Coordinates coordinates) {
-  const BeamRun run{.damping = damping, .coordinates = coordinates};
+std::optional<double> first_slip(const data::Case& problem, Coordinates coordinates) {
+  const BeamRun run{.coordinates = coordinates};
   // The linear run, tens of times as fast, has the forces of these steps to rounding, far less than this margin.
   constexpr double margin = 1e-6;
-  if (coordinates_of(run, numerics.elements()) == Coordinates::modal &&
-      max_abs_friction_force(beam, excitation, numerics, {}, Coordinates::modal) <
-          (1.0 - margin) * friction.static_coefficient() * beam.axial_force())
+  if (problem.contact.is_rigid() && problem.wall.speed() == 0.0 &&
+      coordinates_of(problem, run) == Coordinates::modal &&
+      max_abs_friction_force(problem, Coordinates::modal) <
+          (1.0 - margin) * problem.friction.static_coefficient() * problem.beam.axial_force())
     return std::nullopt;
-  BeamSimulation simulation(beam, friction, excitation, numerics, run);
+  BeamSimulation simulation(problem, run);
   const auto& events = simulation.integrator().events();
-  for (long n = step_count(numerics.duration(), numerics.time_step()); n > 0 && events.empty(); --n)
+  for (long n = step_count(problem.numerics.duration(), problem.numerics.time_step());
+       n > 0 && events.empty(); --n)
     simulation.step();
   return events.empty() ? std::nullopt : std::optional(events.front().time);
 }

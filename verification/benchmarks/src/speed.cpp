@@ -51,11 +51,11 @@ data::NumericalSettings settings(int elements, double duration = ten_seconds) {
 
 constexpr double steps = 1e5;
 
-data::Case paper_case() {
+data::Case paper_case(const data::HarmonicExcitation& excitation = shaking(25.0, 1e-3)) {
   return {.name = "paper",
           .beam = paper_beam,
           .friction = paper_friction,
-          .excitation = shaking(25.0, 1e-3),
+          .excitation = excitation,
           .numerics = settings(20),
           .damping = {}};
 }
@@ -213,8 +213,7 @@ BENCHMARK_CAPTURE(eigen_loop, sparse_ldlt, Factorisation::sparse_ldlt)->Unit(ben
 
 void stick_run(benchmark::State& state, Coordinates coordinates) {
   for (auto _ : state)
-    benchmark::DoNotOptimize(
-        solver::max_abs_friction_force(paper_beam, shaking(35.0, 0.5e-3), settings(20), {}, coordinates));
+    benchmark::DoNotOptimize(solver::max_abs_friction_force(paper_case(shaking(35.0, 0.5e-3)), coordinates));
   if (coordinates == Coordinates::nodal) return;
   // One output value is the product of a row with the state of a block, which has three numbers for each of
   // 39 modes and two for the load. A block of 64 steps advances its state with 15 multiplications and
@@ -230,8 +229,7 @@ BENCHMARK_CAPTURE(stick_run, modal, Coordinates::modal)->Unit(benchmark::kMillis
 void stick_slip_run(benchmark::State& state, Coordinates coordinates) {
   std::size_t events = 0;
   for (auto _ : state) {
-    BeamSimulation run(paper_beam, paper_friction, shaking(25.0, 1e-3), settings(20),
-                       {.coordinates = coordinates});
+    BeamSimulation run(paper_case(), {.coordinates = coordinates});
     while (run.integrator().steps() < static_cast<long>(steps)) run.step();
     events = run.integrator().events().size();
     benchmark::DoNotOptimize(run.friction_force());
@@ -247,8 +245,7 @@ BENCHMARK_CAPTURE(stick_slip_run, modal, Coordinates::modal)->Unit(benchmark::kM
 // A hundredth of a second of the plain stick run. Time and memory are proportional to the number of elements.
 void elements(benchmark::State& state) {
   const auto numerics = settings(static_cast<int>(state.range(0)), 0.01);
-  BeamSimulation run(paper_beam, paper_friction, shaking(35.0, 0.5e-3), numerics,
-                     {.contact = TipContact::bonded});
+  BeamSimulation run(with(paper_case(shaking(35.0, 0.5e-3)), numerics), {.contact = TipContact::bonded});
   for (auto _ : state) {
     for (int n = 0; n < 100; ++n) run.step();
     benchmark::DoNotOptimize(run.friction_force());
@@ -343,19 +340,15 @@ enum class Procedure { raised, linear, modal };
 void critical_amplitude(benchmark::State& state, Procedure procedure) {
   constexpr double increment = 1e-5;
   const double limit = paper_friction.static_coefficient() * paper_beam.axial_force();
-  const auto numerics = settings(20);
   double found = 0.0;
   for (auto _ : state) {
     if (procedure == Procedure::raised) {
       int runs = 1;
-      while (!solver::first_slip(paper_beam, paper_friction, shaking(35.0, runs * increment), numerics, {},
-                                 Coordinates::nodal))
-        ++runs;
+      while (!solver::first_slip(paper_case(shaking(35.0, runs * increment)), Coordinates::nodal)) ++runs;
       found = runs * increment;
     } else {
       const auto coordinates = procedure == Procedure::modal ? Coordinates::modal : Coordinates::nodal;
-      const double force =
-          solver::max_abs_friction_force(paper_beam, shaking(35.0, increment), numerics, {}, coordinates);
+      const double force = solver::max_abs_friction_force(paper_case(shaking(35.0, increment)), coordinates);
       found = (std::floor(limit / force) + 1.0) * increment;
     }
   }

@@ -584,10 +584,8 @@ class Search {
     const double step = 1.0 / (1600.0 * problem.excitation.frequency_hz());
     const bool is_held = reference_.resource.stated.tip == "held";
     solver::BeamSimulation run(
-        problem.beam, problem.friction, problem.excitation,
-        with_value(problem, "numerics.time_step", step).numerics,
-        {.contact = is_held ? solver::TipContact::bonded : solver::TipContact::friction,
-         .damping = problem.damping});
+        with_value(problem, "numerics.time_step", step),
+        {.contact = is_held ? solver::TipContact::bonded : solver::TipContact::friction});
     ComparedValues early = values;
     const auto end = std::ranges::upper_bound(values.abscissa, periods / problem.excitation.frequency_hz());
     const auto count = static_cast<std::size_t>(end - values.abscissa.begin());

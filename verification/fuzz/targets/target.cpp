@@ -203,8 +203,7 @@ void require_finite(double time, std::initializer_list<double> values) {
 }
 
 void follow_by_finite_elements(const data::Case& problem, solver::ContactScheme scheme) {
-  solver::BeamSimulation run(problem.beam, problem.friction, problem.excitation, problem.numerics,
-                             {.damping = problem.damping, .scheme = scheme});
+  solver::BeamSimulation run(problem, {.scheme = scheme});
   const long steps = solver::step_count(problem.numerics.duration(), problem.numerics.time_step());
   for (long n = 0; n <= steps; ++n) {
     if (n > 0) run.step();
@@ -224,8 +223,7 @@ double cost_of(const analytic::ContactModel& model, const data::Case& problem) {
 }
 
 void follow_event_by_event(const data::Case& problem) {
-  const analytic::BeamContactModel beam(problem.beam, problem.friction, problem.excitation, problem.damping,
-                                        problem.numerics.modes(), problem.wall);
+  const analytic::BeamContactModel beam(problem, problem.numerics.modes());
   constexpr double most = 300.0;  // runs above this cost would only take time
   if (cost_of(beam.model(), problem) > most) return;
   analytic::EventDriven run(beam.model());

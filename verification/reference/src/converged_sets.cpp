@@ -325,8 +325,7 @@ DataSet undamped_fields() {
   };
   const Fields fine = free_mode_fields(problem, grid_of(steps), points),
                coarse = free_mode_fields(problem, grid_of(steps / 2), points);
-  const analytic::BeamBoundaryIntegral integral(problem.beam, problem.friction, problem.excitation, {},
-                                                grid_of(steps));
+  const analytic::BeamBoundaryIntegral integral(problem, grid_of(steps));
   Fields other(points.size());
   for (const std::size_t k : {5U, 10U, 15U}) other[k] = integral.displacement(points[k], steps);
   other[20] = integral.tip_displacement(steps);

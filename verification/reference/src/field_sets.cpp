@@ -35,8 +35,7 @@ struct BeamState {
 
 std::vector<BeamState> beam_states(const data::Case& problem, int modes, const std::vector<double>& times,
                                    const std::vector<double>& points, bool has_energy = false) {
-  const analytic::BeamContactModel beam(problem.beam, problem.friction, problem.excitation, problem.damping,
-                                        modes);
+  const analytic::BeamContactModel beam(problem, modes);
   analytic::EventDriven run(beam.model(), {.keep_energy_balance = has_energy});
   const double omega = 2.0 * std::numbers::pi * problem.excitation.frequency_hz();
   std::vector<BeamState> states;

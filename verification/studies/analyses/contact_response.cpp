@@ -224,9 +224,7 @@ ResponseGrid response_grid(const data::Case& problem, double transient) {
 }
 
 analytic::ContactModel response_model(const data::Case& problem) {
-  return analytic::BeamContactModel(problem.beam, problem.friction, problem.excitation, problem.damping,
-                                    problem.numerics.modes(), problem.wall)
-      .model();
+  return analytic::BeamContactModel(problem, problem.numerics.modes()).model();
 }
 
 ContactResponse contact_response(const data::Case& problem, double transient,

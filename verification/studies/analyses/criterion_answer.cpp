@@ -83,21 +83,19 @@ std::optional<SteadyState> steady_state(const data::Case& problem, const StickFr
 CriticalAmplitudeSearch search(const data::Case& problem, double hz, double increment, double cap) {
   const int steps = static_cast<int>(std::lround(cap / increment));
   const auto at = [&](double amplitude) {
-    return data::HarmonicExcitation({.frequency_hz = hz, .amplitude = amplitude});
+    return with(problem, data::HarmonicExcitation({.frequency_hz = hz, .amplitude = amplitude}));
   };
   CriticalAmplitudeSearch result;
   result.frequency_hz = hz;
   result.increment = increment;
   result.cap = cap;
-  result.linear = increment * friction_limit(problem) /
-                  solver::max_abs_friction_force(problem.beam, at(increment), problem.numerics);
+  result.linear = increment * friction_limit(problem) / solver::max_abs_friction_force(at(increment));
   const double multiple = std::floor(result.linear / increment) + 1.0;
   if (multiple <= steps) result.stepped_linear = multiple * increment;
   while (!result.searched && result.runs < steps) {
     ++result.runs;
     const double amplitude = result.runs * increment;
-    if (solver::first_slip(problem.beam, problem.friction, at(amplitude), problem.numerics))
-      result.searched = amplitude;
+    if (solver::first_slip(at(amplitude))) result.searched = amplitude;
   }
   return result;
 }

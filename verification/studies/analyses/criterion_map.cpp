@@ -103,8 +103,7 @@ class Forces {
     if (method_ == MapMethod::closed_form) return search(problem).refined_to();
     const data::HarmonicExcitation unit(
         {.frequency_hz = problem.excitation.frequency_hz(), .amplitude = 1.0});
-    const double force =
-        solver::max_abs_friction_force(problem.beam, unit, problem.numerics, problem.damping);
+    const double force = solver::max_abs_friction_force(with(problem, unit));
     return {force, force};
   }
 

@@ -233,10 +233,7 @@ std::optional<Warning> growth_warning(const data::Case& problem, Inquiry inquiry
       (is_damped(problem) ? most_damped_for_growth : most_undamped_for_growth))
     return std::nullopt;
   const auto contact = [&] {
-    if (!stepped)
-      return continuous_contact(analytic::BeamContactModel(problem.beam, problem.friction, problem.excitation,
-                                                           problem.damping, numerics.modes())
-                                    .model());
+    if (!stepped) return continuous_contact(analytic::BeamContactModel(problem, numerics.modes()).model());
     const auto system =
         solver::beam_contact_system(solver::BeamModel(problem.beam, numerics.elements()), problem.friction,
                                     solver::harmonic_motion(problem.excitation), problem.damping);

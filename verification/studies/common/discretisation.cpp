@@ -146,13 +146,14 @@ double drift_bound(const data::Beam& beam, const std::vector<analytic::StickMode
   return bound;
 }
 
-PredictedForce::PredictedForce(const data::Beam& beam, const data::HarmonicExcitation& excitation,
-                               const data::NumericalSettings& numerics, int modes)
-    : omega_(angular_frequency(excitation)),
-      time_step_(numerics.time_step()),
-      steps_(std::lround(numerics.duration() / numerics.time_step())) {
+PredictedForce::PredictedForce(const data::Case& problem, int modes)
+    : omega_(angular_frequency(problem.excitation)),
+      time_step_(problem.numerics.time_step()),
+      steps_(std::lround(problem.numerics.duration() / problem.numerics.time_step())) {
+  const data::Beam& beam = problem.beam;
+  const data::NumericalSettings& numerics = problem.numerics;
   const double element_length = beam.length() / numerics.elements();
-  const analytic::StickResponse exact(beam, excitation, 3 * modes, analytic::SteadyPart::exact);
+  const analytic::StickResponse exact(beam, problem.excitation, 3 * modes, analytic::SteadyPart::exact);
   const std::vector<analytic::Sinusoid> transient = exact.transient_force();
   const analytic::ModalReaction reaction = exact.reaction();
   rest_amplitude_ = exact.steady_force_amplitude();
@@ -164,7 +165,7 @@ PredictedForce::PredictedForce(const data::Beam& beam, const data::HarmonicExcit
     }
     const analytic::StickMode& mode = exact.modes()[n];
     const double natural = mode.angular_frequency();
-    const double weight = excitation.amplitude() * reaction.modes[n].coefficient * omega_ * omega_;
+    const double weight = problem.excitation.amplitude() * reaction.modes[n].coefficient * omega_ * omega_;
     terms_.push_back({weight, stepped_from_rest(numerics.spectral_radius(),
                                                 frequency_on_mesh(beam, mode, numerics.elements()), omega_,
                                                 numerics.time_step())});

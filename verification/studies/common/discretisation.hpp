@@ -104,10 +104,9 @@ class PredictedForce {
  public:
   /// Predicts the free vibrations of the first `modes` modes: on the meshes of the studies, the frequencies of twenty are
   /// predicted well enough. The phase of higher modes counts as unknown.
-  PredictedForce(const data::Beam& beam, const data::HarmonicExcitation& excitation,
-                 const data::NumericalSettings& numerics, int modes = 20);
+  explicit PredictedForce(const data::Case& problem, int modes = 20);
 
-  /// Largest |f| over the time steps of `numerics` from 0 to numerics.duration(), N.
+  /// Largest |f| over the time steps of the numerics from 0 to numerics.duration(), N.
   [[nodiscard]] double max_abs() const;
 
   /// Estimated uncertainty of max_abs(), N. With the element length l, the leading eigenvalue error e_n and

@@ -16,13 +16,7 @@ namespace {
 analytic::BeamBoundaryIntegral boundary_integral_of(const data::Case& problem, std::size_t steps_per_row) {
   const double row_step = problem.numerics.time_step();
   const auto rows = static_cast<std::size_t>(solver::step_count(problem.numerics.duration(), row_step));
-  return {problem.beam,
-          problem.friction,
-          problem.excitation,
-          problem.damping,
-          {row_step / static_cast<double>(steps_per_row), rows * steps_per_row},
-          3,
-          problem.contact};
+  return {problem, {row_step / static_cast<double>(steps_per_row), rows * steps_per_row}};
 }
 
 History history_of(const data::Case& problem, const Sampling& sampling,

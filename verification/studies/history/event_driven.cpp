@@ -41,8 +41,7 @@ std::vector<double> rates_of(const analytic::ContactModel& model, solver::Initia
 
 History event_driven_history(const data::Case& problem, const Sampling& sampling, const RunChoices& choices,
                              const RowSink& sink) {
-  const analytic::BeamContactModel beam(problem.beam, problem.friction, problem.excitation, problem.damping,
-                                        problem.numerics.modes(), problem.wall);
+  const analytic::BeamContactModel beam(problem, problem.numerics.modes());
   const std::vector<double> midspan = beam.shapes(0.5 * problem.beam.length());
   std::vector<std::vector<double>> shapes;
   for (const double x : sampling.positions) shapes.push_back(beam.shapes(x));

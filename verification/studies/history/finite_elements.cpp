@@ -24,13 +24,10 @@ HistoryRow row_of(const solver::BeamSimulation& simulation, const std::vector<do
 
 History finite_element_history(const data::Case& problem, const Sampling& sampling, const RunChoices& choices,
                                const RowSink& sink) {
-  solver::BeamSimulation simulation(problem.beam, problem.friction, problem.excitation, problem.numerics,
+  solver::BeamSimulation simulation(problem,
                                     {.initial_velocity = choices.initial_velocity,
-                                     .damping = problem.damping,
                                      .scheme = choices.scheme.value_or(solver::ContactScheme::located),
-                                     .coordinates = choices.coordinates,
-                                     .tangential = problem.contact,
-                                     .wall = problem.wall});
+                                     .coordinates = choices.coordinates});
   History history;
   long done = 0;
   const auto step_to = [&](long step) {

@@ -19,13 +19,12 @@ constexpr int converged_modes = 60;
 
 ClassifiedFrequency classified_frequency(const data::Case& problem, double hz) {
   const data::HarmonicExcitation unit({.frequency_hz = hz, .amplitude = 1e-3});
-  data::Case at_hz = problem;
-  at_hz.excitation = unit;
+  const data::Case at_hz = with(problem, unit);
   const analytic::Criterion criterion = criterion_of(at_hz);
   const analytic::StickResponse reference(problem.beam, unit, converged_modes, analytic::SteadyPart::exact);
   const double truncated = criterion.force_max.midpoint();
   const double converged = reference.max_abs_friction_force(problem.numerics.duration(), 1e-8).midpoint();
-  const PredictedForce predicted(problem.beam, unit, problem.numerics);
+  const PredictedForce predicted(at_hz);
   return {.frequency_hz = hz,
           .critical_amplitude = criterion.critical_amplitude.midpoint(),
           .relative_truncation_error = std::abs(truncated - converged) / converged,
@@ -66,8 +65,7 @@ ClassificationStudy classification_study(const data::Case& problem, const std::v
           .frequency_hz = hz,
           .amplitude = amplitude,
           .closed_form_slips = amplitude > frequency.critical_amplitude,
-          .finite_element_slips =
-              solver::first_slip(problem.beam, problem.friction, excitation, problem.numerics).has_value(),
+          .finite_element_slips = solver::first_slip(with(problem, excitation)).has_value(),
           .in_guard_band = std::abs(distance) <= frequency.relative_guard(),
           .distance = distance,
           .relative_guard = frequency.relative_guard()};

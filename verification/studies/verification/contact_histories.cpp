@@ -43,13 +43,10 @@ struct SampledHistory {
 };
 
 // A run with a bonded tip, of which every `stride`-th step is kept.
-SampledHistory bonded_history(const data::Beam& beam, const data::HarmonicExcitation& excitation,
-                              const data::NumericalSettings& numerics, long stride) {
-  const data::FrictionLaw unused({});
+SampledHistory bonded_history(const data::Case& problem, long stride) {
   solver::BeamSimulation simulation(
-      beam, unused, excitation, numerics,
-      {.contact = solver::TipContact::bonded, .coordinates = solver::Coordinates::fastest});
-  const long steps = solver::step_count(numerics.duration(), numerics.time_step());
+      problem, {.contact = solver::TipContact::bonded, .coordinates = solver::Coordinates::fastest});
+  const long steps = solver::step_count(problem.numerics.duration(), problem.numerics.time_step());
   SampledHistory history;
   for (long n = 0; n <= steps; ++n) {
     if (n > 0) simulation.step();
@@ -101,8 +98,7 @@ ContactHistory contact_history(const data::Case& problem, double shown, const st
   ContactHistory history;
   history.frequency_hz = problem.excitation.frequency_hz();
   history.amplitude = problem.excitation.amplitude();
-  history.finite_element_slip =
-      solver::first_slip(problem.beam, problem.friction, problem.excitation, problem.numerics);
+  history.finite_element_slip = solver::first_slip(problem);
   history.criterion_slips = criterion_of(problem).verdict == analytic::Verdict::stick_slip;
   if (history.criterion_slips) {
     history.closed_form_slip = closed_form_first_slip(problem);
@@ -125,8 +121,8 @@ std::optional<double> ContactHistory::first_slip_difference() const {
 std::vector<ContactHistory> contact_histories(const data::Case& paper, double shown) {
   std::vector<ContactHistory> histories;
   for (const auto& verdict : data::printed_verdicts()) {
-    data::Case problem = paper;
-    problem.excitation = data::HarmonicExcitation({verdict.frequency_hz, verdict.amplitude});
+    const data::Case problem =
+        with(paper, data::HarmonicExcitation({verdict.frequency_hz, verdict.amplitude}));
     histories.push_back(contact_history(problem, shown, published_set(verdict)));
     histories.back().figure = verdict.figure;
     histories.back().printed_slips = verdict.verdict == "stick-slip";
@@ -162,9 +158,8 @@ std::vector<HistoryRun> usual_practice(data::Case problem, const ConvergedHistor
       choices.spectral_radius = radius;
       choices.velocity_threshold = threshold;
       choices.duration = duration;
-      data::Case at = problem;
-      at.numerics = data::NumericalSettings(choices);
-      history = finite_element_history(at, {.every = std::lround(spacing / h)},
+      history = finite_element_history(with(problem, data::NumericalSettings(choices)),
+                                       {.every = std::lround(spacing / h)},
                                        {.scheme = scheme, .coordinates = solver::Coordinates::nodal});
       run = {.method = method, .elements = elements, .time_step = h, .spectral_radius = radius};
     } else {
@@ -263,11 +258,12 @@ BeamMotionStudy beam_motion_study(const data::Case& problem, int snapshots, int 
   return study;
 }
 
-StickHistoryStudy stick_history_study(const data::Beam& beam, const data::HarmonicExcitation& excitation,
-                                      const data::NumericalSettings& numerics, int levels) {
+StickHistoryStudy stick_history_study(const data::Case& problem, int levels) {
   StickHistoryStudy study;
+  const data::Beam& beam = problem.beam;
+  const data::NumericalSettings& numerics = problem.numerics;
   const double midspan = 0.5 * beam.length();
-  const analytic::StickResponse exact(beam, excitation, 200, analytic::SteadyPart::exact);
+  const analytic::StickResponse exact(beam, problem.excitation, 200, analytic::SteadyPart::exact);
   const auto displacement = exact.absolute_displacement(midspan);
   const long samples = solver::step_count(numerics.duration(), numerics.time_step());
   for (long n = 0; n <= samples; ++n) {
@@ -284,7 +280,7 @@ StickHistoryStudy stick_history_study(const data::Beam& beam, const data::Harmon
   const auto free_force = exact.transient_force();
   for (int k = 0; k < levels; ++k) {
     const data::NumericalSettings level = at_level(numerics, k);
-    SampledHistory computed = bonded_history(beam, excitation, level, 1L << (2 * k));
+    SampledHistory computed = bonded_history(with(problem, level), 1L << (2 * k));
     const double displacement_error = largest_difference(computed.displacement, study.displacement);
     const double force_error = largest_difference(computed.force, study.force);
     study.levels.push_back({level.elements(), level.time_step(), displacement_error, force_error,

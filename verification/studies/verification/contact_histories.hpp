@@ -142,11 +142,9 @@ STICKSLIP_MEMBERS(StickHistoryStudy, (displacement_peak, "m"), (force_peak, "N")
                   (predicted_force_order, "1"), (time, "s"), (displacement, "m"), (force, "N"),
                   (first_displacement, "m"), (first_force, "N"))
 
-/// Compares the histories on the times of the first level over 0 ... numerics.duration(). Level k has the
-/// time step h/4^k and 2^k times the elements of `numerics`, so that the errors of time (h²) and mesh (l⁴)
+/// Compares the undamped histories on the times of the first level over 0 ... numerics.duration(). Level k has the
+/// time step h/4^k and 2^k times the elements of the case, so that the errors of time (h²) and mesh (l⁴)
 /// decrease at the same rate.
-[[nodiscard]] StickHistoryStudy stick_history_study(const data::Beam& beam,
-                                                    const data::HarmonicExcitation& excitation,
-                                                    const data::NumericalSettings& numerics, int levels);
+[[nodiscard]] StickHistoryStudy stick_history_study(const data::Case& problem, int levels);
 
 }  // namespace stickslip::studies

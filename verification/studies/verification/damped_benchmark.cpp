@@ -54,9 +54,7 @@ class Benchmark {
 
  private:
   [[nodiscard]] History held(int modes, double tolerance = reference_tolerance) const {
-    const analytic::BeamContactModel beam(problem_.beam, problem_.friction, problem_.excitation,
-                                          problem_.damping, modes);
-    return event_driven_history(beam.model(), times_, tolerance);
+    return event_driven_history(analytic::BeamContactModel(problem_, modes).model(), times_, tolerance);
   }
 
   void set_reference() {

@@ -13,9 +13,7 @@ namespace {
 
 solver::EnergyBalance stepped_balance(const data::Case& problem, double duration, int elements,
                                       double time_step) {
-  solver::BeamSimulation simulation(problem.beam, problem.friction, problem.excitation,
-                                    refined(problem, elements, time_step, duration, 1.0).numerics,
-                                    {.damping = problem.damping});
+  solver::BeamSimulation simulation(refined(problem, elements, time_step, duration, 1.0));
   solver::EnergyRecorder recorder(simulation.integrator());
   simulation.observe([&recorder](const solver::StickSlipIntegrator& now) { recorder.record(now); });
   for (long n = solver::step_count(duration, time_step); n > 0; --n) simulation.step();
@@ -63,8 +61,7 @@ double EnergyAudit::Mesh::largest_unexplained() const {
 
 EnergyAudit energy_audit(const data::Case& problem, double duration, const std::vector<int>& elements,
                          int modes, const std::vector<double>& time_steps) {
-  const analytic::BeamContactModel beam(problem.beam, problem.friction, problem.excitation, problem.damping,
-                                        modes);
+  const analytic::BeamContactModel beam(problem, modes);
   analytic::EventDriven run(beam.model(), {.keep_energy_balance = true});
   const double initial = run.energy_balance().kinetic + run.energy_balance().potential;
   run.advance_to(duration);
@@ -93,8 +90,7 @@ double SchemeRun::relative_residual() const { return energy.residual() / energy.
 std::vector<SchemeRun> compare_schemes(const data::Case& problem) {
   std::vector<SchemeRun> runs;
   for (const auto scheme : {ContactScheme::located, ContactScheme::end_of_step, ContactScheme::paper}) {
-    solver::BeamSimulation simulation(problem.beam, problem.friction, problem.excitation, problem.numerics,
-                                      {.damping = problem.damping, .scheme = scheme});
+    solver::BeamSimulation simulation(problem, {.scheme = scheme});
     solver::EnergyRecorder recorder(simulation.integrator());
     simulation.observe([&recorder](const solver::StickSlipIntegrator& now) { recorder.record(now); });
     SchemeRun run;

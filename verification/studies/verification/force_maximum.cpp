@@ -40,18 +40,19 @@ double ForceMaximumStudy::printed_difference() const {
   return relative_difference(sampled, data::printed_number(fmt::format("force_max.{}", frequency_hz)).value);
 }
 
-ForceMaximumStudy force_maximum_study(const data::Beam& beam, const data::HarmonicExcitation& excitation,
-                                      const data::NumericalSettings& numerics) {
-  const analytic::StickResponse truncated(beam, excitation, numerics.modes());
-  const analytic::StickResponse converged(beam, excitation, reference_modes, analytic::SteadyPart::exact);
-  const PredictedForce predicted(beam, excitation, numerics);
-  const double duration = numerics.duration();
+ForceMaximumStudy force_maximum_study(const data::Case& problem) {
+  const data::HarmonicExcitation& excitation = problem.excitation;
+  const analytic::StickResponse truncated(problem.beam, excitation, problem.numerics.modes());
+  const analytic::StickResponse converged(problem.beam, excitation, reference_modes,
+                                          analytic::SteadyPart::exact);
+  const PredictedForce predicted(problem);
+  const double duration = problem.numerics.duration();
   return {.frequency_hz = excitation.frequency_hz(),
           .amplitude = excitation.amplitude(),
-          .sampled = truncated.sampled_max_abs_friction_force(duration, numerics.time_step()).lower,
+          .sampled = truncated.sampled_max_abs_friction_force(duration, problem.numerics.time_step()).lower,
           .truncated = truncated.max_abs_friction_force(duration),
           .converged = converged.max_abs_friction_force(duration, 1e-9),
-          .finite_element = solver::max_abs_friction_force(beam, excitation, numerics),
+          .finite_element = solver::max_abs_friction_force(problem),
           .predicted_finite_element = predicted.max_abs(),
           .prediction_uncertainty = predicted.uncertainty()};
 }

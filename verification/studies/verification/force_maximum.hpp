@@ -35,9 +35,8 @@ STICKSLIP_MEMBERS(ForceMaximumStudy, (frequency_hz, "Hz"), (amplitude, "m"), (sa
                   (discretisation_difference(), "1"), (prediction_difference(), "1"),
                   (printed_difference(), "1"))
 
-[[nodiscard]] ForceMaximumStudy force_maximum_study(const data::Beam& beam,
-                                                    const data::HarmonicExcitation& excitation,
-                                                    const data::NumericalSettings& numerics);
+/// Of an undamped case.
+[[nodiscard]] ForceMaximumStudy force_maximum_study(const data::Case& problem);
 
 /// The ratio of two curves of the critical amplitude, point by point: the values below which a tenth, half and nine tenths of all are.
 struct AmplitudeRatio {

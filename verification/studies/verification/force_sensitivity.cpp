@@ -135,7 +135,7 @@ class RowPlans {
   void add_run(std::string factor, std::string setting, const data::NumericalChoices& choices) {
     const data::NumericalSettings numerics(choices);
     add(std::move(factor), std::move(setting), [this, numerics](const auto& excitation) {
-      return solver::max_abs_friction_force(paper_.beam, excitation, numerics);
+      return solver::max_abs_friction_force(with(paper_, excitation, numerics));
     });
   }
 

@@ -49,7 +49,7 @@ double closed_form_force(const data::Case& paper, double hz) {
 
 double finite_element_force(const data::Case& paper, double hz) {
   const data::HarmonicExcitation unit({.frequency_hz = hz, .amplitude = 1e-3});
-  return solver::max_abs_friction_force(paper.beam, unit, paper.numerics);
+  return solver::max_abs_friction_force(with(paper, unit));
 }
 
 double sampled_force(const data::Case& paper, double hz, std::optional<double> step = std::nullopt) {

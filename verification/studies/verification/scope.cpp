@@ -106,7 +106,7 @@ DimensionlessCase dimensionless(const data::Case& problem) {
   const data::Beam& beam = problem.beam;
   const double omega = angular_frequency(problem.excitation), natural = two_pi * stick_hz(beam, 1);
   const ForceMaximumStudy force = force_maximum_study(
-      beam, data::HarmonicExcitation({problem.excitation.frequency_hz(), 1e-3}), problem.numerics);
+      with(problem, data::HarmonicExcitation({problem.excitation.frequency_hz(), 1e-3}), data::Damping()));
   return {.name = problem.name,
           .load = beam.axial_force() / analytic::stick_buckling_load(beam),
           .slenderness = beam.length() * std::sqrt(beam.area() / beam.second_moment_of_area()),

@@ -110,10 +110,10 @@ void add_force_maxima(const data::Case& paper, std::vector<Plan>& plans) {
             .midpoint();
     plans.push_back(
         {printed_force(hz).id, fmt::format("|f_max| at {:g} Hz, 0.5 mm", hz), "N", true,
-         [=](const Settings& at) { return solver::max_abs_friction_force(paper.beam, excitation, at); },
+         [=](const Settings& at) { return solver::max_abs_friction_force(with(paper, excitation, at)); },
          reference,
          [=] {
-           const PredictedForce predicted(paper.beam, excitation, paper.numerics);
+           const PredictedForce predicted(with(paper, excitation));
            return Prediction{std::abs(predicted.max_abs() - reference) + predicted.uncertainty(),
                              "predicted error of mesh and step, and the uncertainty of the prediction"};
          }});
@@ -127,27 +127,25 @@ void add_first_slips(const data::Case& paper, std::vector<Plan>& plans) {
   };
   for (const Panel& panel : {Panel{"4b", 25.0, 0.5e-3}, Panel{"4d", 70.0, 0.5e-3}, Panel{"5b", 25.0, 1e-3},
                              Panel{"5c", 35.0, 1e-3}, Panel{"5d", 70.0, 1e-3}}) {
-    data::Case problem = paper;
-    problem.excitation = data::HarmonicExcitation({.frequency_hz = panel.hz, .amplitude = panel.amplitude});
+    const data::Case problem =
+        with(paper, data::HarmonicExcitation({.frequency_hz = panel.hz, .amplitude = panel.amplitude}));
     const double reference = closed_form_first_slip(problem).value();
-    plans.push_back({fmt::format("figure{}.first_slip", panel.figure),
-                     fmt::format("first slip, Fig. {}", panel.figure), "s", true,
-                     [=](const Settings& at) {
-                       return solver::first_slip(paper.beam, paper.friction, problem.excitation, at).value();
-                     },
-                     reference,
-                     [=] {
-                       const analytic::StickResponse exact(paper.beam, problem.excitation, reference_modes,
-                                                           analytic::SteadyPart::exact);
-                       constexpr double offset = 1e-6;
-                       const double slope = (exact.friction_force(reference + offset) -
-                                             exact.friction_force(reference - offset)) /
-                                            (2.0 * offset);
-                       return Prediction{drift_bound(paper.beam, exact.modes(), exact.transient_force(),
-                                                     paper.numerics, reference) /
-                                             std::abs(slope),
-                                         "predicted force error over the slope of the force"};
-                     }});
+    plans.push_back(
+        {fmt::format("figure{}.first_slip", panel.figure), fmt::format("first slip, Fig. {}", panel.figure),
+         "s", true, [=](const Settings& at) { return solver::first_slip(with(problem, at)).value(); },
+         reference,
+         [=] {
+           const analytic::StickResponse exact(paper.beam, problem.excitation, reference_modes,
+                                               analytic::SteadyPart::exact);
+           constexpr double offset = 1e-6;
+           const double slope =
+               (exact.friction_force(reference + offset) - exact.friction_force(reference - offset)) /
+               (2.0 * offset);
+           return Prediction{
+               drift_bound(paper.beam, exact.modes(), exact.transient_force(), paper.numerics, reference) /
+                   std::abs(slope),
+               "predicted force error over the slope of the force"};
+         }});
   }
 }
 
@@ -172,8 +170,7 @@ void add_figure9(const data::Case& paper, std::vector<Plan>& plans) {
   const double midspan = 0.5 * paper.beam.length();
   const analytic::StickResponse exact(paper.beam, excitation, reference_modes, analytic::SteadyPart::exact);
   const auto peak = [=](const Settings& at, double (solver::BeamSimulation::*quantity)() const) {
-    solver::BeamSimulation run(paper.beam, paper.friction, excitation, at,
-                               {.contact = solver::TipContact::bonded});
+    solver::BeamSimulation run(with(paper, excitation, at), {.contact = solver::TipContact::bonded});
     double largest = std::abs((run.*quantity)());
     for (long n = solver::step_count(figure9_duration, at.time_step()); n > 0; --n) {
       run.step();

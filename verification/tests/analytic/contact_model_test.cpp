@@ -26,7 +26,8 @@ const data::HarmonicExcitation base({.frequency_hz = 25.0, .amplitude = 1e-3});
 
 BeamContactModel beam_model(int modes, const data::DampingProperties& damping = {},
                             double axial_force = 500.0) {
-  return {paper_beam_with_axial_force(axial_force), paper_friction(), base, data::Damping(damping), modes};
+  return {with(paper_problem(25.0, 1e-3), paper_beam_with_axial_force(axial_force), data::Damping(damping)),
+          modes};
 }
 
 Eigen::MatrixXd dense(const analytic::Matrix& matrix) {

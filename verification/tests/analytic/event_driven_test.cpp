@@ -266,9 +266,7 @@ TEST(EventDriven, SeesAPeakOfTheForceHoweverShallow) {
 // The beam.
 
 ContactModel beam_model(double kelvin_voigt, double hz = 25.0) {
-  return analytic::BeamContactModel(paper_beam(), paper_friction(),
-                                    data::HarmonicExcitation({.frequency_hz = hz, .amplitude = 1e-3}),
-                                    data::Damping({.kelvin_voigt = kelvin_voigt}), 10)
+  return analytic::BeamContactModel(with(paper_problem(hz, 1e-3), testing::kelvin_voigt(kelvin_voigt)), 10)
       .model();
 }
 

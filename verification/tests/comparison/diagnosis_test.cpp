@@ -651,15 +651,12 @@ TEST(DiagnosisOfNumbers, IsTheNodeBesideTheMiddle) {
         {"undamped-history-70", "paper", 70.0, 1e-3, 0.0, solver::TipContact::friction},
         {"undamped-history-soft-short", "soft-short", 400.0, 0.7e-3, 0.0, solver::TipContact::friction}}) {
     const data::Case problem = data::load_case(shown.beam);
-    data::NumericalChoices choices = problem.numerics.choices();
-    choices.elements = 30;
-    choices.spectral_radius = 0.5;
-    choices.time_step = 1.0 / (2000.0 * shown.hz);
     solver::BeamSimulation run(
-        problem.beam, problem.friction,
-        data::HarmonicExcitation({.frequency_hz = shown.hz, .amplitude = shown.amplitude}),
-        data::NumericalSettings(choices),
-        {.contact = shown.tip, .damping = data::Damping({.kelvin_voigt = shown.kelvin_voigt})});
+        with_values(with(problem, shaking(shown.hz, shown.amplitude), kelvin_voigt(shown.kelvin_voigt)),
+                    {{"numerics.elements", 30},
+                     {"numerics.spectral_radius", 0.5},
+                     {"numerics.time_step", 1.0 / (2000.0 * shown.hz)}}),
+        {.contact = shown.tip});
     File file(shown.set, "midspan_displacement");
     for (std::size_t i = 0; i < file.values().size(); ++i) {
       while (run.time() < file["time"][i]) run.step();

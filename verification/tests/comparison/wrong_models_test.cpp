@@ -324,9 +324,8 @@ TEST(WrongModelEffects, AreThoseOfTheUndampedHeldBeamAndOfTheDampedSlidingOne) {
 
 // --- each mistake is the one that its name says
 
-data::Case with_excitation(data::Case problem, double hz, double amplitude) {
-  problem.excitation = data::HarmonicExcitation({.frequency_hz = hz, .amplitude = amplitude});
-  return problem;
+data::Case with_excitation(const data::Case& problem, double hz, double amplitude) {
+  return with(problem, shaking(hz, amplitude));
 }
 
 // What 60 terms leave out of the steady force, and the free vibrations behind them, relative to the
@@ -715,8 +714,7 @@ TEST(WrongModel, OfTheMeshHaveTheOrdersOfTheirMistakes) {
 
 // f at 0.5, 1, ... 10 ms of a run of the time stepper with its tip held.
 Values held_force(const data::Case& problem) {
-  solver::BeamSimulation run(problem.beam, problem.friction, problem.excitation, problem.numerics,
-                             {.contact = solver::TipContact::bonded});
+  solver::BeamSimulation run(problem, {.contact = solver::TipContact::bonded});
   const long every = std::lround(0.5e-3 / problem.numerics.time_step());
   Values force;
   for (long n = 1; n <= 20 * every; ++n) {
@@ -977,9 +975,7 @@ TEST(ReferenceResultsOf, HasTheTruthOfBothImplementations) {
                      discretisation(1e-6 * critical, 1.0, "width of the bounds")));
 
   const data::Case sliding = case_for("strip", Quantity::contact_event);
-  const double first = solver::first_slip(sliding.beam, sliding.friction, sliding.excitation,
-                                          sliding.numerics, sliding.damping)
-                           .value();
+  const double first = solver::first_slip(sliding).value();
   EXPECT_TRUE(within(comparison::reference_result(sliding, Quantity::contact_event, {1.0})[0], first,
                      round_off(1e4, 10.0, first)));
 }

@@ -553,7 +553,7 @@ TEST(ClaimOnEquation28, TheForceIsProportionalToTheAmplitude) {
           {largest, std::abs(force_max(paper().beam, at, factor * 1e-3) / (factor * unit) - 1.0)});
   }
   const auto finite_element = [](double a) {
-    return solver::max_abs_friction_force(paper().beam, excitation(35.0, a), paper().numerics);
+    return solver::max_abs_friction_force(with(paper(), excitation(35.0, a)));
   };
   const double ratio = finite_element(1e-3) / finite_element(0.5e-3);
   judge("eq28.proportional-to-amplitude", {.as_printed = largest < 1e-7 && std::abs(ratio - 2.0) < 1e-7},
@@ -612,8 +612,8 @@ TEST(ClaimOnEquation28, TheForceIsAmplifiedAtEveryNaturalFrequency) {
 
 // Fig. 9 over 1 s; "fits very well" is a fiftieth of the peak, the size of a symbol in a plot.
 const studies::StickHistoryStudy& figure9() {
-  static const studies::StickHistoryStudy study = studies::stick_history_study(
-      paper().beam, excitation(hz, amplitude), data::NumericalSettings(paper_choices(1.0)), 1);
+  static const studies::StickHistoryStudy study =
+      studies::stick_history_study(paper_problem(hz, amplitude), 1);
   return study;
 }
 

@@ -126,7 +126,7 @@ TEST(ClaimOnFigure10, TheMaximumGrowsWithTheAmplitude) {
   double departure = 0.0;
   for (const double hz : probes) {
     const auto at = [hz](double a) {
-      return solver::max_abs_friction_force(paper().beam, excitation(hz, a), paper().numerics);
+      return solver::max_abs_friction_force(with(paper(), excitation(hz, a)));
     };
     departure = largest_or_nan({departure, std::abs(at(0.5e-3) / at(0.1e-3) - 5.0)});
   }
@@ -354,7 +354,7 @@ TEST(ClaimOnFigure13, LowRigidityResistsAtNormalisedFrequencyOnly) {
   const studies::SofterBeam same_hz = studies::softer_beam(paper(), 120);
   // |f_max| of finite elements at one frequency in ten: the same beam is the better one.
   const auto force_of_elements = [](const data::Beam& beam, double hz) {
-    return solver::max_abs_friction_force(beam, excitation(hz, amplitude), paper().numerics);
+    return solver::max_abs_friction_force(with(paper(), beam, excitation(hz, amplitude)));
   };
   int confirmed = 0;
   for (const double hz : frequencies(10.0, 120.0, 10.0)) {
@@ -415,9 +415,8 @@ Curve curve_at(const std::vector<double>& frequencies_hz) {
   Curve curve;
   curve.closed_form = critical_amplitudes(paper().beam, frequencies_hz);
   for (const double hz : frequencies_hz)
-    curve.finite_element.push_back(
-        1e-3 * friction_limit() /
-        solver::max_abs_friction_force(paper().beam, excitation(hz, 1e-3), paper().numerics));
+    curve.finite_element.push_back(1e-3 * friction_limit() /
+                                   solver::max_abs_friction_force(with(paper(), excitation(hz, 1e-3))));
   return curve;
 }
 

@@ -206,8 +206,7 @@ TEST(ClaimOnEquation4, FrictionIsTheShearForceUnderAFollowerForce) {
 }
 
 TEST(ClaimOnEquation4, StickContinuesOnlyWithinTheLimit) {
-  const analytic::BeamContactModel model(paper().beam, paper().friction, excitation(25.0, 1e-3),
-                                         data::Damping(), 10);
+  const analytic::BeamContactModel model(with(paper(), excitation(25.0, 1e-3)), 10);
   analytic::EventDriven run(model.model());
   double largest = 0.0;
   for (int n = 1; n <= 6000; ++n) {

@@ -20,8 +20,7 @@ std::string verdicts_in_words(double hz, double amplitude) {
   const double force = analytic::StickResponse(paper().beam, excitation(hz, amplitude))
                            .max_abs_friction_force(paper().numerics.duration(), 1e-6)
                            .midpoint();
-  const auto slip =
-      solver::first_slip(paper().beam, paper().friction, excitation(hz, amplitude), paper().numerics);
+  const auto slip = solver::first_slip(with(paper(), excitation(hz, amplitude)));
   return fmt::format("{} Hz, {} mm: |f_max| = {:.0f} N, {}", hz, 1e3 * amplitude, force,
                      slip ? fmt::format("first slip at {:.4f} s", *slip) : "no slip in 10 s");
 }
@@ -43,10 +42,9 @@ TEST(ClaimOnSection3, TheTimeStepGivesReasonableResults) {
   double largest = 0.0;
   bool verdicts_stay = true;
   for (const auto& printed : data::printed_verdicts()) {
-    const auto at = excitation(printed.frequency_hz, printed.amplitude);
-    const auto coarse = solver::first_slip(paper().beam, paper().friction, at, paper().numerics);
-    const auto refined =
-        solver::first_slip(paper().beam, paper().friction, at, data::NumericalSettings(fine));
+    const data::Case at = with(paper(), excitation(printed.frequency_hz, printed.amplitude));
+    const auto coarse = solver::first_slip(at);
+    const auto refined = solver::first_slip(with(at, data::NumericalSettings(fine)));
     verdicts_stay &= coarse.has_value() == refined.has_value();
     if (coarse && refined)
       largest = largest_or_nan({largest, std::abs(*coarse - *refined) * printed.frequency_hz});
@@ -72,10 +70,8 @@ TEST(ClaimOnSection3, TheThresholdMissesStopsOfAStrongDeceleration) {
   }
   // With changes of sign located, the threshold itself does no harm.
   const auto first_capture = [](double threshold) {
-    data::NumericalChoices choices = paper().numerics.choices();
-    choices.velocity_threshold = threshold;
-    solver::BeamSimulation run(paper().beam, paper().friction, excitation(25.0, large),
-                               data::NumericalSettings(choices));
+    solver::BeamSimulation run(
+        with_value(with(paper(), excitation(25.0, large)), "numerics.velocity_threshold", threshold));
     while (captures(run) == 0) run.step();
     return run.integrator().events().back().time;
   };

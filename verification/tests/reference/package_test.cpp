@@ -253,17 +253,13 @@ TEST(PublishedFields, OfStickSlipAreThoseOfFiniteElements) {
 
 // y at the rows of undamped-fields up to 0.15 s, by steps that damp what the mesh cannot resolve.
 std::vector<double> undamped_mesh(const data::ReferenceTable& table, int elements, double steps_per_period) {
-  data::Case problem = data::load_case("paper");
-  data::NumericalChoices choices = problem.numerics.choices();
-  choices.elements = elements;
-  choices.spectral_radius = 0.5;
-  choices.time_step = 1.0 / (25.0 * steps_per_period);
-  solver::BeamSimulation run(problem.beam, problem.friction,
-                             data::HarmonicExcitation({.frequency_hz = 25.0, .amplitude = 1e-3}),
-                             data::NumericalSettings(choices));
+  const double step = 1.0 / (25.0 * steps_per_period);
+  solver::BeamSimulation run(with_values(
+      with(data::load_case("paper"), data::HarmonicExcitation({.frequency_hz = 25.0, .amplitude = 1e-3})),
+      {{"numerics.elements", elements}, {"numerics.spectral_radius", 0.5}, {"numerics.time_step", step}}));
   std::vector<double> displacement;
   for (std::size_t row = 0; row < table.rows() && table.column("time").values[row] < 0.151; ++row) {
-    while (run.time() + 0.5 * choices.time_step < table.column("time").values[row]) run.step();
+    while (run.time() + 0.5 * step < table.column("time").values[row]) run.step();
     displacement.push_back(run.displacement(table.column("x").values[row]));
   }
   return displacement;
@@ -302,12 +298,9 @@ TEST(PublishedFields, OfUndampedStickSlipPassThroughItsHistory) {
 
 TEST(PublishedFields, HaveTheSpectrumOfAMeshOverTenSeconds) {
   const auto table = data::read_table(published(), "stick-slip-spectrum");
-  const data::Case problem = data::load_case("damped");
-  data::NumericalChoices choices = problem.numerics.choices();
-  choices.elements = 20;
-  choices.time_step = 1e-4;  // 400 steps a period
-  solver::BeamSimulation run(problem.beam, problem.friction, problem.excitation,
-                             data::NumericalSettings(choices), {.damping = problem.damping});
+  constexpr double step = 1e-4;  // 400 a period
+  solver::BeamSimulation run(
+      with_values(data::load_case("damped"), {{"numerics.elements", 20}, {"numerics.time_step", step}}));
   // 100 samples per period instead of 64; the motion has nothing at the frequencies that either folds back.
   std::vector<double> tip;
   for (int i = 0; i < 500 * 400; ++i) {
@@ -431,10 +424,9 @@ TEST(PublishedForces, OfAllModesAreThoseOfFiniteElements) {
         analytic::StickResponse(problem.beam, excitation, 200, analytic::SteadyPart::exact)
             .max_abs_friction_force(10.0);
     EXPECT_NEAR(more.midpoint(), value, radius) << hz;
-    data::NumericalChoices mesh = problem.numerics.choices();
-    mesh.elements = 40;
-    mesh.time_step = 1e-4;
-    const solver::ModalStickRun run(problem.beam, excitation, data::NumericalSettings(mesh));
+    const auto mesh =
+        with_values(problem, {{"numerics.elements", 40}, {"numerics.time_step", 1e-4}}).numerics;
+    const solver::ModalStickRun run(problem.beam, excitation, mesh);
     // The tolerance that the data set proposes.
     EXPECT_NEAR(run.max_abs_friction_force(100'000), value, 1e-2 * value) << hz;
     const double critical = amplitudes.column("amplitude").values[static_cast<std::size_t>(hz / 5 - 1)];

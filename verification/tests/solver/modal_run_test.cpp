@@ -41,7 +41,7 @@ double largest(const std::vector<double>& values) {
 History plain_history(const data::Beam& beam, const data::HarmonicExcitation& excitation,
                       const data::NumericalSettings& numerics, InitialVelocity initial_velocity, double x,
                       long steps) {
-  BeamSimulation run(beam, paper_friction(), excitation, numerics,
+  BeamSimulation run(with(paper_problem(25.0, 1e-3), beam, excitation, numerics),
                      {.contact = TipContact::bonded, .initial_velocity = initial_velocity});
   History history;
   const auto note = [&] {
@@ -133,8 +133,9 @@ TEST(HeldTipBasis, DiagonalisesTheStickState) {
 }
 
 // The beam of the paper where it slips.
-BeamSimulation slipping_run(const data::NumericalSettings& numerics, const solver::BeamRun& run = {}) {
-  return {paper_beam(), paper_friction(), shaking(25.0, 1e-3), numerics, run};
+BeamSimulation slipping_run(const data::NumericalSettings& numerics, const solver::BeamRun& run = {},
+                            const data::Damping& damping = {}) {
+  return BeamSimulation(with(paper_problem(25.0, 1e-3), numerics, damping), run);
 }
 
 // The same changes of the contact, in time (s) and position (m) within the tolerances.
@@ -176,7 +177,7 @@ TEST(ModalSteps, HaveTheEventsOfTheNodalRun) {
 
 TEST(ModalSteps, StopWhereTheStateIsNotFinite) {
   for (const Coordinates coordinates : {Coordinates::nodal, Coordinates::modal}) {
-    BeamSimulation run(paper_beam(), paper_friction(), shaking(1000.0, 1e303), settings(20, 0.9),
+    BeamSimulation run(with(paper_problem(1000.0, 1e303), settings(20, 0.9)),
                        {.contact = TipContact::bonded, .coordinates = coordinates});
     const std::string message = error_message_of<std::runtime_error>([&] {
       while (run.integrator().steps() < 100) run.step();
@@ -188,9 +189,8 @@ TEST(ModalSteps, StopWhereTheStateIsNotFinite) {
 TEST(ModalSteps, RefusesDampingAndSystemsOfAnotherForm) {
   for (const data::Damping& damping :
        {data::Damping({.kelvin_voigt = 1e-5}), data::Damping({.ratio = 0.01})}) {
-    const std::string message = error_message_of<data::FieldError>([&] {
-      (void)slipping_run(settings(4, 0.9), {.damping = damping, .coordinates = Coordinates::modal});
-    });
+    const std::string message = error_message_of<data::FieldError>(
+        [&] { (void)slipping_run(settings(4, 0.9), {.coordinates = Coordinates::modal}, damping); });
     EXPECT_TRUE(message.starts_with(damping.ratio() > 0.0 ? "damping.ratio is 0.01"
                                                           : "damping.kelvin_voigt is 1e-05"))
         << message;

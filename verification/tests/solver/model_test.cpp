@@ -162,9 +162,13 @@ data::NumericalSettings coarse(double duration = 0.2) {
 
 const data::HarmonicExcitation slipping_excitation({25.0, 1e-3});
 
+data::Case coarse_case(const data::HarmonicExcitation& excitation, double duration = 0.2) {
+  return with(paper_problem(25.0, 1e-3), excitation, coarse(duration));
+}
+
 STICKSLIP_VERIFIES(BeamSimulation, "F7");
 TEST(BeamSimulation, HandsItsNumericsToTheIntegrator) {
-  solver::BeamSimulation simulation(paper_beam(), paper_friction(), slipping_excitation, coarse());
+  solver::BeamSimulation simulation(coarse_case(slipping_excitation));
   const solver::BeamModel model(paper_beam(), 8);
   const solver::PrescribedMotion base = solver::harmonic_motion(slipping_excitation);
   solver::StickSlipIntegrator integrator(
@@ -184,7 +188,7 @@ TEST(BeamSimulation, HandsItsNumericsToTheIntegrator) {
 }
 
 TEST(BeamSimulation, DisplacementsAreThoseOfTheFixedFrame) {
-  solver::BeamSimulation simulation(paper_beam(), paper_friction(), slipping_excitation, coarse());
+  solver::BeamSimulation simulation(coarse_case(slipping_excitation));
   for (int n = 0; n < 100; ++n) simulation.step();
   // 25 Hz at 10 ms: h = A0 sin(pi/2).
   EXPECT_TRUE(within(simulation.base_displacement(), 1e-3, round_off(4, 1, 1e-3)));
@@ -215,8 +219,7 @@ TEST(BeamSimulation, StepCountIsTheNearestWholeNumber) {
 TEST(BeamSimulation, LargestForceIsOneOfEitherSign) {
   // At 70 Hz the peak of the first 10 ms is positive, that of the first 20 ms negative.
   const data::HarmonicExcitation excitation({70.0, 0.5e-3});
-  solver::BeamSimulation bonded(paper_beam(), paper_friction(), excitation, coarse(),
-                                {.contact = solver::TipContact::bonded});
+  solver::BeamSimulation bonded(coarse_case(excitation), {.contact = solver::TipContact::bonded});
   double highest = 0.0, lowest = 0.0;
   const auto run_until = [&](double end) {
     while (bonded.time() < end - 0.5e-4) {
@@ -226,8 +229,7 @@ TEST(BeamSimulation, LargestForceIsOneOfEitherSign) {
     }
   };
   const auto largest = [&](double duration) {
-    return solver::max_abs_friction_force(paper_beam(), excitation, coarse(duration), {},
-                                          solver::Coordinates::nodal);
+    return solver::max_abs_friction_force(coarse_case(excitation, duration), solver::Coordinates::nodal);
   };
   run_until(0.01);
   ASSERT_GT(highest, -lowest);
@@ -238,13 +240,10 @@ TEST(BeamSimulation, LargestForceIsOneOfEitherSign) {
 }
 
 TEST(BeamSimulation, EveryRunTakesItsDamping) {
-  const data::HarmonicExcitation& excitation = slipping_excitation;
-  const data::NumericalSettings numerics = coarse();
   const data::Damping damping({.kelvin_voigt = 6.4e-5, .ratio = 0.01});
-  solver::BeamSimulation simulation(paper_beam(), paper_friction(), excitation, numerics,
-                                    {.damping = damping});
-  solver::BeamSimulation bonded(paper_beam(), paper_friction(), excitation, numerics,
-                                {.contact = solver::TipContact::bonded, .damping = damping});
+  const data::Case undamped = coarse_case(slipping_excitation), damped = with(undamped, damping);
+  solver::BeamSimulation simulation(damped);
+  solver::BeamSimulation bonded(damped, {.contact = solver::TipContact::bonded});
   const Eigen::MatrixXd expected = solver::damping_matrix(simulation.model(), damping);
   EXPECT_EQ(Eigen::MatrixXd(simulation.integrator().system().damping), expected);
   double largest = 0.0;
@@ -253,15 +252,19 @@ TEST(BeamSimulation, EveryRunTakesItsDamping) {
     bonded.step();
     largest = std::max(largest, std::abs(bonded.friction_force()));
   }
-  EXPECT_EQ(solver::max_abs_friction_force(paper_beam(), excitation, numerics, damping), largest);
-  EXPECT_EQ(solver::first_slip(paper_beam(), paper_friction(), excitation, numerics, damping),
-            simulation.integrator().events().front().time);
-  EXPECT_LT(largest, solver::max_abs_friction_force(paper_beam(), excitation, numerics));
+  EXPECT_EQ(solver::max_abs_friction_force(damped), largest);
+  EXPECT_EQ(solver::first_slip(damped), simulation.integrator().events().front().time);
+  EXPECT_LT(largest, solver::max_abs_friction_force(undamped));
+  // The largest force is that of a tip that is held, whatever the contact and the wall.
+  const data::TangentialContact spring({.tangential_stiffness = 1e5});
+  for (const data::Case& other : {damped, undamped})
+    EXPECT_EQ(solver::max_abs_friction_force(with(other, spring, data::Wall(1.0))),
+              solver::max_abs_friction_force(other));
 }
 
 TEST(BeamSimulation, FirstSlipIsFoundUpToTheLastStep) {
   const auto slip_within = [](double duration) {
-    return solver::first_slip(paper_beam(), paper_friction(), slipping_excitation, coarse(duration));
+    return solver::first_slip(coarse_case(slipping_excitation, duration));
   };
   const auto slip = slip_within(0.2);
   ASSERT_TRUE(slip);

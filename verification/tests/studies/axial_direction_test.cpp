@@ -393,7 +393,7 @@ TEST(ShearScope, IsRefusedByNameWhereThereIsNoShear) {
       [&] { (void)analytic::TipMobility(beam, damping); },
       [&] { (void)analytic::damped_reaction(beam, damping, 5); },
       [&] { (void)analytic::DampedSteadyState(beam, excitation, damping, analytic::TipSupport::free); },
-      [&] { (void)analytic::BeamContactModel(beam, problem.friction, excitation, damping, 5); },
+      [&] { (void)analytic::BeamContactModel(with(problem, damping), 5); },
       [&] {
         (void)studies::band_margin(problem, {10.0, 20.0});
       }};

@@ -84,12 +84,10 @@ TEST(BeamBoundaryIntegral, HasAllEventsOfTheDampedBenchmark) {
   // of twenty modes is known to 1e-6 s and 2e-8 m.
   const double h = 2e-5;
   const data::Case problem = damped_problem(25.0);
-  const analytic::BeamContactModel modes(problem.beam, problem.friction, problem.excitation, problem.damping,
-                                         20);
+  const analytic::BeamContactModel modes(problem, 20);
   const auto events =
       studies::without_micro_sticks(studies::event_driven_history(modes.model(), {0.5}).events, 2e-5);
-  const BeamBoundaryIntegral beam(problem.beam, problem.friction, problem.excitation, problem.damping,
-                                  {h, 25000});
+  const BeamBoundaryIntegral beam(problem, {h, 25000});
   const auto found = studies::without_micro_sticks(studies::events_between(beam.steps(), h), 2e-5);
   ASSERT_EQ(events.size(), 47u);
   ASSERT_EQ(found.size(), 47u);
@@ -108,7 +106,7 @@ TEST(BeamBoundaryIntegral, RecoversTheTipAndTheMotionOfTheFreeModes) {
   // shape with it: both are off by what the step does, here within 1e-3 of the motion (empirical; 0.15 s are
   // the first ten phases).
   const TimeGrid grid{2.5e-6, 40000};
-  const BeamBoundaryIntegral beam(paper_beam(), paper_friction(), excitation(25.0, 1e-3), {}, grid);
+  const BeamBoundaryIntegral beam(paper_problem(25.0, 1e-3), grid);
   const auto tip = beam.tip_displacement(400), again = beam.displacement(2.0, 400),
              middle = beam.displacement(1.0, 400);
   EXPECT_TRUE(within(studies::largest_difference(tip, again), 0.0,
@@ -138,7 +136,7 @@ TEST(BeamBoundaryIntegral, RecoversTheTipAndTheMotionOfTheFreeModes) {
 
 TEST(BeamBoundaryIntegral, RefusesTensionModalDampingAndNoSteps) {
   const auto run = [](const data::Beam& beam, const data::Damping& damping, const TimeGrid& grid) {
-    return BeamBoundaryIntegral(beam, paper_friction(), excitation(25.0, 1e-3), damping, grid);
+    return BeamBoundaryIntegral(with(paper_problem(25.0, 1e-3), beam, damping), grid);
   };
   const data::Damping modal({.ratio = 0.01});
   EXPECT_THROW(run(paper_beam_with_axial_force(-500.0), {}, {1e-5, 10}), data::InputError);

@@ -141,13 +141,9 @@ TEST(SmoothLaw, CreepsUnderAForceThatFrictionCouldHold) {
 // --- The beam
 
 data::Case damped_case(const data::TangentialContact& contact, double duration) {
-  data::Case problem = data::load_case("damped");
-  data::NumericalChoices choices = problem.numerics.choices();
-  choices.duration = duration;
-  choices.time_step = 2e-5;
-  problem.numerics = data::NumericalSettings(choices);
-  problem.contact = contact;
-  return problem;
+  return with(with_values(data::load_case("damped"),
+                          {{"excitation.duration", duration}, {"numerics.time_step", 2e-5}}),
+              contact);
 }
 
 // Every `divisor`-th step.
@@ -171,8 +167,7 @@ STICKSLIP_VERIFIES(YieldingContact, "X25");
 TEST_P(YieldingContact, MovesTheBeamAlikeInBothImplementations) {
   const data::Case problem = damped_case(contact(), 0.1);
   const double h = problem.numerics.time_step();
-  const analytic::BeamBoundaryIntegral integral(problem.beam, problem.friction, problem.excitation,
-                                                problem.damping, {h / 16.0, 16 * 5000}, 3, problem.contact);
+  const analytic::BeamBoundaryIntegral integral(problem, {h / 16.0, 16 * 5000});
   const std::vector<double> reference = integral.tip_displacement(16), tip = stepped_tip(problem, 40, 1);
   const double in_time = 4.0 / 3.0 * studies::largest_difference(tip, stepped_tip(problem, 40, 2));
   const double by_mesh = studies::largest_difference(tip, stepped_tip(problem, 20, 1)) / 15.0;
@@ -196,10 +191,7 @@ STICKSLIP_VERIFIES(YieldingContactForce, "X25");
 // The force of a narrow law is that of its balance, and not the law at a rounded velocity.
 TEST(YieldingContactForce, ReportsTheForceOfANarrowLaw) {
   const data::Case problem = damped_case(smooth(1e-8), 0.05);  // before the first slip
-  solver::BeamSimulation narrow(problem.beam, problem.friction, problem.excitation, problem.numerics,
-                                {.damping = problem.damping, .tangential = problem.contact});
-  solver::BeamSimulation held(problem.beam, problem.friction, problem.excitation, problem.numerics,
-                              {.damping = problem.damping});
+  solver::BeamSimulation narrow(problem), held(with(problem, data::TangentialContact()));
   for (int n = 0; n < 2500; ++n) {
     narrow.step(), held.step();
     // Both reactions are of second order, (omega_10 h)^2 of what the highest modes that matter add.
@@ -210,8 +202,7 @@ TEST(YieldingContactForce, ReportsTheForceOfANarrowLaw) {
 TEST(YieldingContactForce, RefusesASpringThatRoundingWouldLoad) {
   const data::Case problem = damped_case({}, 0.1);
   const auto run = [&problem](double contact_stiffness, const data::FrictionLaw& friction) {
-    const solver::BeamSimulation simulation(problem.beam, friction, problem.excitation, problem.numerics,
-                                            {.tangential = spring(contact_stiffness)});
+    const solver::BeamSimulation simulation(with(problem, friction, spring(contact_stiffness)));
   };
   // The rounding of 1 mm makes a ten-thousandth of mu_s P = 300 N.
   const double stiffest = 1e-4 * 300.0 / (std::numeric_limits<double>::epsilon() * 1e-3);
@@ -231,9 +222,7 @@ using Steps = std::vector<analytic::ContactStep>;
 
 Steps run(const data::Case& problem, const data::TangentialContact& contact, double step) {
   const auto count = static_cast<std::size_t>(std::lround(problem.numerics.duration() / step));
-  return analytic::BeamBoundaryIntegral(problem.beam, problem.friction, problem.excitation, problem.damping,
-                                        {step, count}, 3, contact)
-      .steps();
+  return analytic::BeamBoundaryIntegral(with(problem, contact), {step, count}).steps();
 }
 
 // Stated before it was measured: the spring moves the tip by f/k_t while it sticks, which changes the forces by O(1/k_t); a
@@ -319,12 +308,8 @@ TEST(CompliantReaction, IsThatOfFiniteElementsWhoseSliderRests) {
   for (const double k : {6e4, 1e6}) {
     const analytic::DampedForce closed(analytic::compliant_reaction(paper.beam, paper.damping, k, 20),
                                        2.0 * pi * paper.excitation.frequency_hz(), 1.0);
-    data::NumericalChoices choices = paper.numerics.choices();
     const auto largest_error = [&](double h) {
-      choices.time_step = h;
-      solver::BeamSimulation simulation(paper.beam, strong, paper.excitation,
-                                        data::NumericalSettings(choices),
-                                        {.damping = paper.damping, .tangential = spring(k)});
+      solver::BeamSimulation simulation(with_value(with(paper, strong, spring(k)), "numerics.time_step", h));
       double largest = 0.0;
       while (simulation.time() < 0.1) {
         simulation.step();

@@ -52,9 +52,7 @@ TEST(Figure12, ClassifiesAlikeOutsideTheGuardBand) {
   EXPECT_TRUE(within(study.frequencies[0].relative_truncation_error, std::abs(truncated / converged - 1.0),
                      reference(1e-8, "the width of the bounds")));
   EXPECT_GE(study.frequencies[0].relative_discretisation_error,
-            studies::PredictedForce(paper_beam(), first, data::NumericalSettings(paper_choices(10.0)))
-                    .uncertainty() /
-                converged);
+            studies::PredictedForce(paper_problem(5.0, 1e-3, 10.0)).uncertainty() / converged);
   EXPECT_LE(study.in_guard_band, 10);
   EXPECT_GT(study.agreeing, 470);
   RecordProperty("points_in_guard_band", study.in_guard_band);
@@ -97,8 +95,7 @@ TEST(FirstSlip, HappensWhenTheClosedFormSaysSo) {
     const double slope =
         (response.friction_force(*exact + 1e-6) - response.friction_force(*exact - 1e-6)) / 2e-6;
     for (const auto coordinates : {solver::Coordinates::nodal, solver::Coordinates::modal}) {
-      const auto computed =
-          solver::first_slip(paper_beam(), paper_friction(), excitation, numerics, {}, coordinates);
+      const auto computed = solver::first_slip(paper_problem(hz, amplitude), coordinates);
       ASSERT_TRUE(computed);
       EXPECT_TRUE(within(
           *computed, *exact,
@@ -123,8 +120,7 @@ TEST(ContactHistory, BoundaryIntegralHasTheClosedFormFirstSlip) {
   EXPECT_DOUBLE_EQ(converged.levels.at(0).time_step, 2e-4 / 512.0);
   EXPECT_TRUE(within(converged.first_stick.end, *history.closed_form_slip,
                      discretisation(converged.first_stick.end_half_width, 1.0, "half-width of the history")));
-  EXPECT_EQ(history.finite_element_slip,
-            solver::first_slip(problem.beam, problem.friction, problem.excitation, problem.numerics));
+  EXPECT_EQ(history.finite_element_slip, solver::first_slip(problem));
 }
 
 TEST(ContactHistory, IsEmptyWhereTheCriterionSticks) {
@@ -168,8 +164,7 @@ TEST(StickSlipBeam, StaysBoundedOnAnyMeshAndStep) {
         data::NumericalChoices c = paper_choices(0.5);
         c.elements = elements;
         c.spectral_radius = radius;
-        solver::BeamSimulation s(paper_beam(), paper_friction(), data::HarmonicExcitation({hz, 1e-3}),
-                                 data::NumericalSettings(c));
+        solver::BeamSimulation s(with(paper_problem(hz, 1e-3), data::NumericalSettings(c)));
         for (int n = 0; n < 5000; ++n) {
           s.step();
           ASSERT_LT(std::abs(s.tip_displacement()), 7e-3)

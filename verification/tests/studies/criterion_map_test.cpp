@@ -209,8 +209,7 @@ TEST(CriterionMap, ByFiniteElementsIsThatOfThePlainRun) {
     EXPECT_EQ(map.cells.size(), 6u);
     for (const auto& cell : map.cells) {
       const data::Case point = case_of(problem, x, y, cell);
-      const double force = solver::max_abs_friction_force(point.beam, point.excitation, point.numerics,
-                                                          point.damping, solver::Coordinates::nodal);
+      const double force = solver::max_abs_friction_force(point, solver::Coordinates::nodal);
       const double ratio = force / studies::friction_limit(point);
       EXPECT_TRUE(within(*cell.force_ratio, ratio, reference(1e-10 * ratio, "runs in modal coordinates")));
     }

@@ -19,8 +19,9 @@ TEST(DampedSteppedResponse, StartsAsTheClosedFormSays) {
     data::NumericalChoices choices = paper_choices(0.2);
     choices.elements = 20 << level;
     choices.time_step = 1e-4 / (level == 0 ? 1.0 : 4.0);
-    solver::BeamSimulation beam(v.beam(), paper_friction(), v.excitation(), data::NumericalSettings(choices),
-                                {.contact = solver::TipContact::bonded, .damping = v.damping});
+    solver::BeamSimulation beam(
+        with(paper_problem(v.hz, v.amplitude), v.beam(), data::NumericalSettings(choices), v.damping),
+        {.contact = solver::TipContact::bonded});
     std::vector<double> forces;
     for (int n = 0; n < 2000; ++n) {
       for (int i = 0; i < (level == 0 ? 1 : 4); ++i) beam.step();

@@ -154,8 +154,7 @@ TEST(ForceSurface, HoldsTheForceMaximaOfItsPoints) {
     const auto line = std::ranges::find(surface, at, &studies::ForceLine::frequency_hz);
     ASSERT_NE(line, surface.end());
     EXPECT_DOUBLE_EQ(line->amplitude[9], 0.5e-3);
-    const auto study =
-        studies::force_maximum_study(paper().beam, data::HarmonicExcitation({at, 0.5e-3}), paper().numerics);
+    const auto study = studies::force_maximum_study(with(paper(), shaking(at, 0.5e-3)));
     EXPECT_NEAR(line->force_max[9] / study.truncated.midpoint(), 1.0, 1e-4);  // two searches of one maximum
   }
 }

@@ -210,7 +210,7 @@ TEST(ContactSchemes, WithoutLocationFindThePlateaus) {
   ASSERT_EQ(located.size(), 7u);
   ASSERT_EQ(late.size(), 7u);
   const data::Case problem = problem_of(setting);
-  const solver::BeamSimulation beam(problem.beam, problem.friction, problem.excitation, problem.numerics);
+  const solver::BeamSimulation beam(problem);
   const double contact_mass = beam.integrator().contact_mass();
   const double back = 0.5 * (600.0 / contact_mass) * 1e-8;
   for (std::size_t i = 0; i < 7; ++i)

@@ -210,7 +210,7 @@ TEST(Flutter, IsWarnedOfFromItsLoadOnAndTheRunGoesOn) {
       }
     }
     EXPECT_FALSE(warns(problem, Inquiry::criterion, Concern::flutter));
-    solver::BeamSimulation run(problem.beam, problem.friction, problem.excitation, problem.numerics);
+    solver::BeamSimulation run(problem);
     for (int n = 0; n < 20; ++n) run.step();
     EXPECT_TRUE(std::isfinite(run.friction_force()));
   }

@@ -75,18 +75,18 @@ TEST(SlenderForce, NearResonanceIsThatOfAMeshWithShear) {
   const auto force = studies::slender_force(paper_at(25.0));
   data::Case sheared = paper_at(25.0);
   sheared.beam = studies::with_shear(sheared.beam);
-  data::NumericalChoices choices = sheared.numerics.choices();
-  choices.elements = 80;
+  constexpr int elements = 80;
   const double finite_element =
-      solver::max_abs_friction_force(sheared.beam, sheared.excitation, data::NumericalSettings(choices));
+      solver::max_abs_friction_force(with_value(sheared, "numerics.elements", elements));
   const double omega = analytic::modal_forces(sheared.beam, 1).front().angular_frequency;
   const double excitation = studies::angular_frequency(sheared.excitation);
   const double mass = sheared.beam.density() * sheared.beam.area();
   const double stiffness = sheared.beam.youngs_modulus() * sheared.beam.second_moment_of_area();
-  const double l = sheared.beam.length() / choices.elements;
+  const double l = sheared.beam.length() / elements;
   const double mesh = mass * omega * omega *
                       (std::pow(l, 4) / stiffness / 1440.0 + l * l / sheared.beam.shear_stiffness() / 24.0);
-  const double step = studies::step_error(choices.spectral_radius, omega, choices.time_step);
+  const double step =
+      studies::step_error(sheared.numerics.spectral_radius(), omega, sheared.numerics.time_step());
   EXPECT_TRUE(within(force.shifted_force_max, finite_element,
                      discretisation((mesh + step) * omega / (excitation - omega) * finite_element, 3.0,
                                     "frequency of mode 1 over its distance to the excitation")));
@@ -187,7 +187,7 @@ TEST(Refusals, AreForForcesWithoutAStickState) {
     };
     const bool buckled = share > 1.0, has_no_contact = share <= 0.0;
     expect_refused(buckled || has_no_contact,
-                   [&] { (void)solver::first_slip(beam, paper_friction(), shaking, numerics); });
+                   [&] { (void)solver::first_slip(with(paper_problem(25.0, 1e-3), beam, numerics)); });
     expect_refused(buckled || has_no_contact,
                    [&] { (void)analytic::evaluate_criterion(beam, paper_friction(), shaking, 1e-3); });
     expect_refused(buckled, [&] { (void)solver::stick_modes(model, 1); });
@@ -282,8 +282,7 @@ TEST(DimensionlessCase, OfThePaperHasItsGroups) {
   const double exact = analytic::StickResponse(strip.beam, strip.excitation, 100, analytic::SteadyPart::exact)
                            .max_abs_friction_force(10.0)
                            .midpoint();
-  const double error =
-      solver::max_abs_friction_force(strip.beam, strip.excitation, strip.numerics) / exact - 1.0;
+  const double error = solver::max_abs_friction_force(with(strip, data::Damping())) / exact - 1.0;
   EXPECT_NEAR(studies::dimensionless(strip).force_error, std::abs(error), 1e-8);
   EXPECT_LE(studies::dimensionless(strip).unpredicted, 1.0);
 }

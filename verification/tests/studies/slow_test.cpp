@@ -31,9 +31,8 @@ TEST_P(ComparedUndampedLong, FineMeshWithSpectralRadiusZeroAgrees) {
   choices.elements = 160;
   choices.spectral_radius = 0.0;
   choices.time_step = 1.5625e-7;
-  solver::BeamSimulation run(paper_beam(), paper_friction(),
-                             data::HarmonicExcitation({static_cast<double>(GetParam()), 1e-3}),
-                             data::NumericalSettings(choices), {.coordinates = solver::Coordinates::modal});
+  solver::BeamSimulation run(with(paper_problem(GetParam(), 1e-3), data::NumericalSettings(choices)),
+                             {.coordinates = solver::Coordinates::modal});
   data::UserTable mine{.file = "mesh",
                        .columns = {table.column("time"), table.column("tip_displacement"),
                                    table.column("midspan_displacement")},
@@ -62,8 +61,7 @@ TEST(ContactChatterLong, StopsTheRunWithItsReason) {
   choices.elements = 160;
   choices.spectral_radius = 1.0;
   choices.time_step = 1e-3;
-  solver::BeamSimulation run(paper_beam(), paper_friction(), data::HarmonicExcitation({25.0, 1e-3}),
-                             data::NumericalSettings(choices), {.damping = light_damping()});
+  solver::BeamSimulation run(with(damped_problem(25.0), data::NumericalSettings(choices)));
   const auto finish = [&run] {
     while (run.time() < 0.2) run.step();
   };

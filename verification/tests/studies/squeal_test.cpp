@@ -248,8 +248,7 @@ TEST(MovingWallOfTheMesh, HasTheChangesOfTheEventDrivenRun) {
   problem.excitation = shaking(250.0, 5e-5);
   problem.friction = data::FrictionLaw(
       {.static_coefficient = 0.5, .kinetic_coefficient = 0.3, .decay = 5.0, .viscous = 0.1});
-  const analytic::BeamContactModel model(problem.beam, problem.friction, problem.excitation, problem.damping,
-                                         24, problem.wall);
+  const analytic::BeamContactModel model(problem, 24);
   const auto exact = studies::event_driven_history(model.model(), {0.01}).events;
   std::vector<double> errors;
   for (const double step : {1e-6, 5e-7}) {
@@ -318,9 +317,7 @@ TEST(Cycles, OfTheShakenBeamReturnButAreUnstable) {
   EXPECT_GT(modulus, 1.2);
   EXPECT_LT(std::abs(motion.multipliers.back()), 1e-12);
   // Of two periods they are the squares.
-  const auto model =
-      analytic::BeamContactModel(problem.beam, problem.friction, problem.excitation, problem.damping, 3)
-          .model();
+  const auto model = analytic::BeamContactModel(problem, 3).model();
   const auto twice =
       analytic::eigenvalues(analytic::poincare_map(model, motion.start, 2.0 * motion.period).derivative);
   EXPECT_TRUE(

@@ -28,11 +28,15 @@ data::NumericalSettings settings(double duration, double spectral_radius = 0.9) 
 
 const data::HarmonicExcitation figure9({.frequency_hz = 15.0, .amplitude = 0.5e-3});
 
+data::Case figure9_case(double duration, double spectral_radius = 0.9) {
+  return with(paper_problem(15.0, 0.5e-3), settings(duration, spectral_radius));
+}
+
 STICKSLIP_VERIFIES(Figure9, "X1");
 TEST(Figure9, ErrorsAreThePredictedOnesAtThePaperSettings) {
   for (const double spectral_radius : {0.9, 1.0}) {
     SCOPED_TRACE(spectral_radius);
-    const auto study = studies::stick_history_study(paper_beam(), figure9, settings(1.0, spectral_radius), 3);
+    const auto study = studies::stick_history_study(figure9_case(1.0, spectral_radius), 3);
     ASSERT_EQ(study.levels.size(), 3U);
     for (const auto& level : study.levels) {
       // drift_bound adds magnitudes and leaves out amplitude errors, 12/(omega T) of a phase error: 8 % in mode
@@ -60,7 +64,7 @@ double slope_by_ratio(const studies::StickHistoryStudy& study, double width) {
 
 STICKSLIP_VERIFIES(Figure9Refined, "X1");
 TEST(Figure9Refined, AgreesWithin1em5And5em4OfThePeak) {
-  const auto study = studies::stick_history_study(paper_beam(), figure9, settings(1.0), 4);
+  const auto study = studies::stick_history_study(figure9_case(1.0), 4);
   ASSERT_EQ(study.levels.size(), 4U);
   EXPECT_LT(study.levels.back().displacement_error, 1e-5 * study.displacement_peak);
   EXPECT_LT(study.levels.back().force_error, 5e-4 * study.force_peak);
@@ -90,8 +94,8 @@ TEST(ForceMaximumAt, FiniteElementsReturnThePredictedMaximum) {
   for (const double hz : {15.0, 25.0, 35.0, 70.0}) {
     SCOPED_TRACE(hz);
     for (const double radius : {0.5, 0.9}) {
-      const auto study = studies::force_maximum_study(paper_beam(), data::HarmonicExcitation({hz, 0.5e-3}),
-                                                      settings(10.0, radius));
+      const auto study =
+          studies::force_maximum_study(with(paper_problem(hz, 0.5e-3), settings(10.0, radius)));
       EXPECT_TRUE(within(study.finite_element, study.predicted_finite_element,
                          discretisation(study.prediction_uncertainty, 1.0, "PredictedForce::uncertainty")));
       // The prediction is worth more than the printed digits: within 1 % of the converged value.
@@ -111,17 +115,12 @@ STICKSLIP_VERIFIES(ForceMaximumOfTheFlatSection, "X2");
 TEST(ForceMaximumOfTheFlatSection, IsThePredictedOneWhateverTheStep) {
   // Fig. 14 at L = 0.767 m, P = 200 N, under the first resonance: a modest force in which the high free
   // vibrations count, whose amplitudes the steps change by a quarter of (omega_n h)^2.
-  data::Case figure = data::load_case("paper-figure14");
-  data::BeamProperties properties = figure.beam.properties();
-  properties.length = 0.767;
-  properties.axial_force = 200.0;
-  const data::Beam beam(properties);
   for (const double step : {2e-4, 1e-4, 5e-5}) {
-    data::NumericalChoices choices = figure.numerics.choices();
-    choices.time_step = step;
-    const data::NumericalSettings numerics(choices);
-    const studies::PredictedForce predicted(beam, figure.excitation, numerics);
-    const double computed = solver::max_abs_friction_force(beam, figure.excitation, numerics);
+    const data::Case figure =
+        with_values(data::load_case("paper-figure14"),
+                    {{"beam.length", 0.767}, {"beam.axial_force", 200.0}, {"numerics.time_step", step}});
+    const studies::PredictedForce predicted(figure);
+    const double computed = solver::max_abs_friction_force(figure);
     EXPECT_TRUE(within(computed, predicted.max_abs(),
                        discretisation(predicted.uncertainty(), 1.0, "PredictedForce::uncertainty")))
         << step;
@@ -215,7 +214,7 @@ TEST(StickState, DriftIsBoundedByPhaseAndDecay) {
 TEST(StickState, PredictedForceIsUncertainByThreeParts) {
   const auto numerics = settings(2.0);
   const int modes = 4;
-  const studies::PredictedForce predicted(paper_beam(), figure9, numerics, modes);
+  const studies::PredictedForce predicted(figure9_case(2.0), modes);
   const analytic::StickResponse exact(paper_beam(), figure9, 3 * modes, analytic::SteadyPart::exact);
   const double omega = 2.0 * std::numbers::pi * 15.0, l = 2.0 / numerics.elements();
   double expected = exact.omitted_transient_bound(), remainder = exact.steady_force_amplitude();
@@ -232,8 +231,9 @@ TEST(StickState, PredictedForceIsUncertainByThreeParts) {
   expected += std::abs(remainder) * std::pow(omega * numerics.time_step(), 2) / 8.0;
   EXPECT_NEAR(predicted.uncertainty(), expected, 1e-9 * expected);
   // Of a single step the force is that at its end.
-  const studies::PredictedForce first(paper_beam(), figure9, settings(1e-4));
-  EXPECT_TRUE(within(first.max_abs(), solver::max_abs_friction_force(paper_beam(), figure9, settings(1e-4)),
+  const data::Case one_step = figure9_case(1e-4);
+  const studies::PredictedForce first(one_step);
+  EXPECT_TRUE(within(first.max_abs(), solver::max_abs_friction_force(one_step),
                      discretisation(first.uncertainty(), 1.0, "PredictedForce::uncertainty")));
   EXPECT_LT(first.uncertainty(), 0.1 * first.max_abs());
 }

@@ -44,7 +44,7 @@ struct Quantity {
 
 /// A problem, and where and when to look at it.
 struct Scene {
-  StickSlipProblem problem;
+  data::Case problem;
   double x{}, t{};     ///< shares of the length and of the duration
   int elements{};      ///< of a mesh
   double periods{};    ///< of the excitation, the duration of a history
@@ -105,7 +105,7 @@ std::vector<double> stick_frequencies(const data::Beam& beam, int count) {
 
 /// A beam whose tip slips: 1.2 to 3 times the critical amplitude over one period, damped by half a percent of critical in its
 /// first mode.
-StickSlipProblem slipping(const data::Beam& beam, RandomNumbers& numbers) {
+data::Case slipping(const data::Beam& beam, RandomNumbers& numbers) {
   const std::vector<double> natural = stick_frequencies(beam, kModes);
   const double hz = random_frequency_hz(numbers, natural, 0.05);
   const double friction = numbers.uniform(0.1, 1.0);
@@ -118,16 +118,13 @@ StickSlipProblem slipping(const data::Beam& beam, RandomNumbers& numbers) {
 }
 
 /// A frequency off resonance and an amplitude of 1e-6 to 1e-2 of the length.
-StickSlipProblem off_resonance(const data::Beam& beam, RandomNumbers& numbers) {
+data::Case off_resonance(const data::Beam& beam, RandomNumbers& numbers) {
   const double hz = random_frequency_hz(numbers, stick_frequencies(beam, 6), 0.02);
-  return {beam,
-          data::FrictionLaw({.static_coefficient = numbers.uniform(0.1, 1.0)}),
-          data::HarmonicExcitation(
-              {.frequency_hz = hz, .amplitude = beam.length() * numbers.log_uniform(1e-6, 1e-2)}),
-          {}};
+  const data::FrictionLaw friction({.static_coefficient = numbers.uniform(0.1, 1.0)});
+  return with(paper_problem(hz, beam.length() * numbers.log_uniform(1e-6, 1e-2)), beam, friction);
 }
 
-data::NumericalSettings settings(const StickSlipProblem& problem, double periods) {
+data::NumericalSettings settings(const data::Case& problem, double periods) {
   const double of_excitation = period(problem.excitation);
   const double shorter = std::min(of_excitation, 2.0 * pi / stick_frequencies(problem.beam, 1).front());
   return data::NumericalSettings({.elements = mesh_elements,
@@ -140,7 +137,7 @@ data::NumericalSettings settings(const StickSlipProblem& problem, double periods
 
 /// The time stepper on a base with any motion, started as a BeamSimulation is.
 std::unique_ptr<solver::StickSlipIntegrator> started(
-    const StickSlipProblem& problem, const solver::PrescribedMotion& base,
+    const data::Case& problem, const solver::PrescribedMotion& base,
     const solver::IntegratorSettings& settings, solver::TipContact contact = solver::TipContact::friction) {
   const solver::BeamModel model(problem.beam, mesh_elements);
   solver::ContactSystem system = solver::beam_contact_system(model, problem.friction, base, problem.damping);
@@ -160,10 +157,8 @@ solver::PrescribedMotion multiplied(const solver::PrescribedMotion& motion, doub
 }
 
 /// The model of the event-driven histories, of four modes.
-analytic::ContactModel modal_model(const StickSlipProblem& problem) {
-  return analytic::BeamContactModel(problem.beam, problem.friction, problem.excitation, problem.damping,
-                                    kModes)
-      .model();
+analytic::ContactModel modal_model(const data::Case& problem) {
+  return analytic::BeamContactModel(problem, kModes).model();
 }
 
 std::vector<EventTolerances> tolerances(const std::vector<ContactEvent>& events,
@@ -295,7 +290,8 @@ std::vector<Quantity> mesh_modes(const Scene& scene) {
 
 /// Off resonance by 2 %, an error of a natural frequency counts fiftyfold, and in the phase with omega_n t.
 std::vector<Quantity> stick_response(const Scene& scene) {
-  const auto& [beam, law, excitation, damping] = scene.problem;
+  const data::Beam& beam = scene.problem.beam;
+  const data::HarmonicExcitation& excitation = scene.problem.excitation;
   const double x = beam.length() * scene.x, duration = 2.0 * period(excitation), t = duration * scene.t;
   std::vector<Quantity> quantities;
   for (const auto part : {analytic::SteadyPart::modal_sum, analytic::SteadyPart::exact}) {
@@ -317,8 +313,10 @@ std::vector<Quantity> stick_response(const Scene& scene) {
 }
 
 std::vector<Quantity> criterion(const Scene& scene) {
-  const auto& [beam, law, excitation, damping] = scene.problem;
-  const auto found = analytic::evaluate_criterion(beam, law, excitation, 2.0 * period(excitation));
+  const data::Beam& beam = scene.problem.beam;
+  const data::HarmonicExcitation& excitation = scene.problem.excitation;
+  const auto found =
+      analytic::evaluate_criterion(beam, scene.problem.friction, excitation, 2.0 * period(excitation));
   const auto width = [](double value) {
     return discretisation(1e-10 * value, 1.0, "relative width of the enclosures");
   };
@@ -334,7 +332,8 @@ std::vector<Quantity> criterion(const Scene& scene) {
 
 /// 2 % off resonance, and what the closed form loses to min(|b|, |c|)^-3 at low frequencies.
 std::vector<Quantity> damped_steady_state(const Scene& scene) {
-  const auto& [beam, law, excitation, no_damping] = scene.problem;
+  const data::Beam& beam = scene.problem.beam;
+  const data::HarmonicExcitation& excitation = scene.problem.excitation;
   const data::Damping damping({.kelvin_voigt = std::pow(1e-3, scene.t) * period(excitation)});
   const analytic::DampedSteadyState state(beam, excitation, damping, analytic::TipSupport::held);
   const double z = beam.axial_force() * beam.length() * beam.length() / rigidity(beam);
@@ -371,12 +370,11 @@ std::vector<Quantity> stepped_reaction(const Scene& scene) {
   for (Eigen::Index i = 0; i < run->displacement().size(); i += 2)
     quantities.push_back({run->displacement()[i], length});
   const double walk = std::sqrt(numerics.duration() / numerics.time_step());
-  quantities.push_back(
-      {solver::max_abs_friction_force(scene.problem.beam, scene.problem.excitation, numerics),
-       force,
-       {},
-       false,
-       walk * std::pow(mesh_elements, 4) * nearness_of_buckling(scene.problem.beam)});
+  quantities.push_back({solver::max_abs_friction_force(with(scene.problem, numerics, data::Damping())),
+                        force,
+                        {},
+                        false,
+                        walk * std::pow(mesh_elements, 4) * nearness_of_buckling(scene.problem.beam)});
   return quantities;
 }
 
@@ -397,7 +395,7 @@ void add_sample(const Engine& engine, double position, History& history) {
 }
 
 History stepped_history(const Scene& scene) {
-  const StickSlipProblem& problem = scene.problem;
+  const data::Case& problem = scene.problem;
   const auto numerics = settings(problem, scene.periods);
   const double time_step =
       0.25 * numerics.time_step();  // as long as the law of friction of every beam allows
@@ -440,7 +438,7 @@ History event_driven_history(const Scene& scene) {
 
 /// The beam let go from a bent shape, without any load: nothing but its own motion says what is small.
 History free_motion(const Scene& scene) {
-  StickSlipProblem problem = scene.problem;
+  data::Case problem = scene.problem;
   problem.excitation =
       data::HarmonicExcitation({.frequency_hz = problem.excitation.frequency_hz(), .amplitude = 0.0});
   const analytic::ContactModel model = modal_model(problem);
@@ -624,7 +622,7 @@ TEST_P(Linearity, TwiceTheAmplitudeIsTwiceTheResponseBitForBit) {
   on_random_beams(GetParam().beams, GetParam().force, [&](const data::Beam& beam, RandomNumbers& numbers) {
     Scene scene = scene_of(GetParam(), beam, numbers);
     const auto once = GetParam().measure(scene);
-    const StickSlipProblem problem = scene.problem;
+    const data::Case problem = scene.problem;
     scene.problem = with_amplitude(problem, 2.0);
     const auto twice = GetParam().measure(scene);
     scene.problem = with_amplitude(problem, 3.0);
@@ -653,35 +651,34 @@ constexpr double never = std::numeric_limits<double>::infinity();
 
 struct FirstSlip {
   std::string name;
-  std::function<double(const StickSlipProblem&)> time;  ///< of the first slip within a period, s, or never
+  std::function<double(const data::Case&)> time;  ///< of the first slip within a period, s, or never
   /// The amplitude that takes the largest force to the friction limit, m.
-  std::function<double(const StickSlipProblem&)> critical_amplitude;
+  std::function<double(const data::Case&)> critical_amplitude;
 };
 
-double slip_by_criterion(const StickSlipProblem& problem) {
+double slip_by_criterion(const data::Case& problem) {
   const auto found = analytic::evaluate_criterion(problem.beam, problem.friction, problem.excitation,
                                                   period(problem.excitation), 4);
   return found.verdict == analytic::Verdict::stick_slip ? 0.0 : never;
 }
 
-double critical_by_criterion(const StickSlipProblem& problem) {
+double critical_by_criterion(const data::Case& problem) {
   return analytic::evaluate_criterion(problem.beam, problem.friction, problem.excitation,
                                       period(problem.excitation), 4)
       .critical_amplitude.midpoint();
 }
 
-double stepped_slip(const StickSlipProblem& problem) {
-  return solver::first_slip(problem.beam, problem.friction, problem.excitation, settings(problem, 1.0))
-      .value_or(never);
+double stepped_slip(const data::Case& problem) {
+  return solver::first_slip(with(problem, settings(problem, 1.0), data::Damping())).value_or(never);
 }
 
-double stepped_critical(const StickSlipProblem& problem) {
+double stepped_critical(const data::Case& problem) {
   const data::HarmonicExcitation unit({.frequency_hz = problem.excitation.frequency_hz(), .amplitude = 1.0});
   return problem.friction.static_coefficient() * problem.beam.axial_force() /
-         solver::max_abs_friction_force(problem.beam, unit, settings(problem, 1.0));
+         solver::max_abs_friction_force(with(problem, unit, settings(problem, 1.0), data::Damping()));
 }
 
-double event_driven_slip(const StickSlipProblem& problem) {
+double event_driven_slip(const data::Case& problem) {
   const EventDriven history = run(modal_model(problem), period(problem.excitation));
   return history.events().empty() ? never : history.events().front().time;
 }
@@ -697,9 +694,9 @@ class Monotonicity : public ::testing::TestWithParam<FirstSlip> {};
 STICKSLIP_VERIFIES(Monotonicity, "M1");
 TEST_P(Monotonicity, OfTheFirstSlipInFrictionAndAmplitude) {
   on_random_beams(15, compression, [](const data::Beam& beam, RandomNumbers& numbers) {
-    const StickSlipProblem problem = slipping(beam, numbers);
+    const data::Case problem = slipping(beam, numbers);
     const auto slip_at = [&](double friction, double share) {
-      StickSlipProblem varied = with_amplitude(problem, share);
+      data::Case varied = with_amplitude(problem, share);
       varied.friction =
           data::FrictionLaw({.static_coefficient = friction * problem.friction.static_coefficient()});
       return GetParam().time(varied);
@@ -720,7 +717,7 @@ TEST_P(Monotonicity, OfTheFirstSlipInFrictionAndAmplitude) {
 TEST_P(Monotonicity, SlipBeginsAtTheCriticalAmplitude) {
   if (!GetParam().critical_amplitude) return;  // the engine knows no forces but those of its own run
   on_random_beams(20, compression, [](const data::Beam& beam, RandomNumbers& numbers) {
-    const StickSlipProblem problem = off_resonance(beam, numbers);
+    const data::Case problem = off_resonance(beam, numbers);
     const double share = GetParam().critical_amplitude(problem) / problem.excitation.amplitude();
     EXPECT_EQ(GetParam().time(with_amplitude(problem, share * (1.0 - 1e-9))), never);
     EXPECT_LT(GetParam().time(with_amplitude(problem, share * (1.0 + 1e-9))), never);
@@ -754,7 +751,7 @@ EventDriven continued(const ContactModel& model, const EventDriven& from, double
 TEST(TimeShift, OfAPeriodRestartsTheEventDrivenHistory) {
   int events = 0;
   on_random_beams(20, compression, [&](const data::Beam& beam, RandomNumbers& numbers) {
-    const StickSlipProblem problem = slipping(beam, numbers);
+    const data::Case problem = slipping(beam, numbers);
     const double cycle = period(problem.excitation);
     const ContactModel model = modal_model(problem);
     const auto whole = run(model, 2.5 * cycle).events();

@@ -47,7 +47,7 @@ inline bool criterion_slips(double hz, double amplitude) {
 /// A run of finite elements with the settings of the paper.
 inline solver::BeamSimulation run_at(double hz, double amplitude, solver::BeamRun options = {}) {
   options.coordinates = solver::Coordinates::fastest;
-  return {paper().beam, paper().friction, excitation(hz, amplitude), paper().numerics, options};
+  return solver::BeamSimulation(with(paper(), excitation(hz, amplitude)), options);
 }
 
 /// How often the tip has come to stick again.
@@ -58,11 +58,8 @@ inline int captures(const solver::BeamSimulation& run) {
 
 /// The largest |f| of the first millisecond at 15 Hz and 0.5 mm with the tip held, N, by steps of 1 us.
 inline double first_force(int elements, solver::InitialVelocity start) {
-  data::NumericalChoices choices = paper().numerics.choices();
-  choices.elements = elements;
-  choices.time_step = 1e-6;
-  solver::BeamSimulation run(paper().beam, paper().friction, excitation(15.0, 0.5e-3),
-                             data::NumericalSettings(choices),
+  solver::BeamSimulation run(with_values(with(paper(), excitation(15.0, 0.5e-3)),
+                                         {{"numerics.elements", elements}, {"numerics.time_step", 1e-6}}),
                              {.contact = solver::TipContact::bonded, .initial_velocity = start});
   double force = 0.0;
   for (int n = 0; n < 1000; ++n) {
@@ -74,8 +71,7 @@ inline double first_force(int elements, solver::InitialVelocity start) {
 
 /// Finite elements with contact.
 inline bool finite_elements_slip(double hz, double amplitude) {
-  return solver::first_slip(paper().beam, paper().friction, excitation(hz, amplitude), paper().numerics)
-      .has_value();
+  return solver::first_slip(with(paper(), excitation(hz, amplitude))).has_value();
 }
 
 inline bool both_slip(double hz, double amplitude) {

@@ -118,31 +118,24 @@ inline double random_frequency_hz(RandomNumbers& numbers, const std::vector<doub
 
 inline double period(const data::HarmonicExcitation& excitation) { return 1.0 / excitation.frequency_hz(); }
 
-/// A beam that slips, with all that its history depends on.
-struct StickSlipProblem {
-  data::Beam beam;
-  data::FrictionLaw friction;
-  data::HarmonicExcitation excitation;
-  data::Damping damping;
-};
-
-/// mu_s in 0.1 ... 1, mu_m in 0.2 mu_s ... mu_s, a decay that matters at the speed of the base.
-inline StickSlipProblem random_problem(RandomNumbers& numbers, const data::Beam& beam,
-                                       double static_coefficient, const data::HarmonicMotion& motion,
-                                       double kelvin_voigt) {
+/// A beam that slips, with all that its history depends on; the settings are of no meaning. mu_s in 0.1 ... 1, mu_m in 0.2 mu_s ... mu_s, a decay that matters at the speed of the base.
+inline data::Case random_problem(RandomNumbers& numbers, const data::Beam& beam, double static_coefficient,
+                                 const data::HarmonicMotion& motion, double kelvin_voigt) {
   const double speed = 2.0 * std::numbers::pi * motion.frequency_hz * motion.amplitude;
-  return {beam,
-          data::FrictionLaw({.static_coefficient = static_coefficient,
-                             .kinetic_coefficient = static_coefficient * numbers.uniform(0.2, 1.0),
-                             .decay = numbers.log_uniform(0.1, 3.0) / speed}),
-          data::HarmonicExcitation(motion), data::Damping({.kelvin_voigt = kelvin_voigt})};
+  return {
+      .name = "random",
+      .beam = beam,
+      .friction = data::FrictionLaw({.static_coefficient = static_coefficient,
+                                     .kinetic_coefficient = static_coefficient * numbers.uniform(0.2, 1.0),
+                                     .decay = numbers.log_uniform(0.1, 3.0) / speed}),
+      .excitation = data::HarmonicExcitation(motion),
+      .numerics = data::NumericalSettings(paper_choices(1.0)),
+      .damping = data::Damping({.kelvin_voigt = kelvin_voigt})};
 }
 
 /// The same problem at another amplitude.
-inline StickSlipProblem with_amplitude(StickSlipProblem problem, double factor) {
-  problem.excitation = data::HarmonicExcitation({.frequency_hz = problem.excitation.frequency_hz(),
-                                                 .amplitude = factor * problem.excitation.amplitude()});
-  return problem;
+inline data::Case with_amplitude(const data::Case& problem, double factor) {
+  return with(problem, shaking(problem.excitation.frequency_hz(), factor * problem.excitation.amplitude()));
 }
 
 /// Numbers per SI unit.
@@ -197,9 +190,9 @@ inline data::NumericalSettings in_units(const Units& units, const data::Numerica
   return data::NumericalSettings(choices);
 }
 
-inline StickSlipProblem in_units(const Units& units, const StickSlipProblem& si) {
-  return {in_units(units, si.beam), in_units(units, si.friction), in_units(units, si.excitation),
-          in_units(units, si.damping)};
+inline data::Case in_units(const Units& units, const data::Case& si) {
+  return with(si, in_units(units, si.beam), in_units(units, si.friction), in_units(units, si.excitation),
+              in_units(units, si.damping));
 }
 
 /// Another beam with the same P L^2/EI, and the units in which everything else of both is the same: of length

@@ -41,6 +41,7 @@ class BeamContactModel {
   BeamContactModel(const data::Beam& beam, const data::FrictionLaw& friction,
                    const data::HarmonicExcitation& excitation, const data::Damping& damping, int modes,
                    const data::Wall& wall = {});
+  BeamContactModel(const data::Case& problem, int modes);
 
   [[nodiscard]] const ContactModel& model() const noexcept { return model_; }
 

@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "stickslip/data/problem.hpp"
 
@@ -93,7 +94,7 @@ struct Key {
 /// moment or shear stiffness is changed itself forgets the section or Poisson's ratio. Throws FieldError for a value
 /// that a field does not allow, and for a key of a section that the case was not given by.
 [[nodiscard]] Case with_values(const Case& problem,
-                               std::span<const std::pair<std::string_view, double>> values);
+                               const std::vector<std::pair<std::string_view, double>>& values);
 [[nodiscard]] Case with_value(const Case& problem, std::string_view path, double value);
 
 }  // namespace stickslip::data

@@ -32,6 +32,8 @@
 #include <limits>
 #include <string>
 #include <string_view>
+#include <tuple>
+#include <type_traits>
 
 #include "stickslip/data/input_error.hpp"
 
@@ -264,5 +266,15 @@ struct Case {
   Wall wall{};
   Section section{};  ///< the beam's, as long as its area and second moment of area follow from it
 };
+
+/// The case with other parts, each known by its type: with(problem, excitation, damping). Another beam has no section.
+template <typename... Part>
+[[nodiscard]] Case with(Case problem, const Part&... parts) {
+  const auto all = std::tie(problem.beam, problem.friction, problem.excitation, problem.numerics,
+                            problem.damping, problem.contact, problem.wall);
+  ((std::get<Part&>(all) = parts), ...);
+  if constexpr ((std::is_same_v<Part, Beam> || ...)) problem.section = {};
+  return problem;
+}
 
 }  // namespace stickslip::data

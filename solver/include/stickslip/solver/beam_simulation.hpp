@@ -30,15 +30,12 @@ enum class Coordinates {
   fastest  ///< what fastest_coordinates() chooses
 };
 
-/// What a run may do differently from the paper's.
+/// What a run of a case may do differently from the paper's.
 struct BeamRun {
   TipContact contact{TipContact::friction};
   InitialVelocity initial_velocity{InitialVelocity::quasi_static};
-  data::Damping damping{};  ///< see damping_matrix()
   ContactScheme scheme{ContactScheme::located};
   Coordinates coordinates{Coordinates::nodal};
-  data::TangentialContact tangential{};
-  data::Wall wall{};
 };
 
 /// Modal without damping on at most 200 elements, whose modes cost less than some ten thousand steps; nodal elsewhere, and
@@ -79,8 +76,8 @@ struct BeamRun {
 /// χ P u'(L) = -f_d.
 class BeamSimulation {
  public:
-  /// Uses elements, time_step, spectral_radius and velocity_threshold of `numerics`. Throws what damping_matrix() throws,
-  /// and data::FieldError
+  /// Of the numerics, uses elements, time_step, spectral_radius and velocity_threshold. Throws what damping_matrix()
+  /// throws, and data::FieldError
   ///
   ///   - naming beam.axial_force, if P is at or over the buckling load, or if P ≤ 0 with TipContact::friction;
   ///   - if ContactScheme::paper has no velocity threshold;
@@ -89,9 +86,7 @@ class BeamSimulation {
   ///     or a spring that rounding would load by more than 1e-4 of the limit.
   ///
   /// Throws std::logic_error for Coordinates::modal with ContactScheme::paper.
-  BeamSimulation(const data::Beam& beam, const data::FrictionLaw& friction,
-                 const data::HarmonicExcitation& excitation, const data::NumericalSettings& numerics,
-                 const BeamRun& run = {});
+  explicit BeamSimulation(const data::Case& problem, const BeamRun& run = {});
 
   void step() { integrator_->step(); }
 
@@ -124,18 +119,12 @@ class BeamSimulation {
 [[nodiscard]] long step_count(double duration, double time_step);
 
 /// max |f| over the grid times 0 ... duration with the tip bonded, N: finite-element |f_max| of Eqs. (29), (30).
-/// In modal coordinates by ModalStickRun.
-[[nodiscard]] double max_abs_friction_force(const data::Beam& beam,
-                                            const data::HarmonicExcitation& excitation,
-                                            const data::NumericalSettings& numerics,
-                                            const data::Damping& damping = {},
+/// In modal coordinates by ModalStickRun. Uses neither the friction law nor the contact nor the speed of the wall.
+[[nodiscard]] double max_abs_friction_force(const data::Case& problem,
                                             Coordinates coordinates = Coordinates::fastest);
 
 /// The time of the first slip, s, or nothing if the tip stays stuck for numerics.duration().
-[[nodiscard]] std::optional<double> first_slip(const data::Beam& beam, const data::FrictionLaw& friction,
-                                               const data::HarmonicExcitation& excitation,
-                                               const data::NumericalSettings& numerics,
-                                               const data::Damping& damping = {},
+[[nodiscard]] std::optional<double> first_slip(const data::Case& problem,
                                                Coordinates coordinates = Coordinates::fastest);
 
 }  // namespace stickslip::solver

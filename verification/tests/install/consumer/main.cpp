@@ -18,8 +18,7 @@ int main(int argc, char** argv) {
   std::cout << "critical amplitude / m: " << data::shortest_text(criterion.critical_amplitude.midpoint())
             << '\n';
 
-  solver::BeamSimulation simulation(problem.beam, problem.friction, problem.excitation, problem.numerics,
-                                    {.coordinates = solver::Coordinates::fastest});
+  solver::BeamSimulation simulation(problem, {.coordinates = solver::Coordinates::fastest});
   simulation.step();
   std::cout << "midspan / m: " << data::shortest_text(simulation.midspan_displacement()) << '\n'
             << "friction force / N: " << data::shortest_text(simulation.friction_force()) << '\n';
