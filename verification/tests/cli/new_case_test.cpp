@@ -205,6 +205,43 @@ TEST_F(RespondFigure, IsDrawnFromTheRowsAndTheLimit) {
                    "--figure is b.png, but must be another file than " + other);
 }
 
+// Of more rows than two for each of a thousand columns, the smallest and the largest value of each column in the order in which
+// they come. They slip if a row of the column does.
+TEST_F(RespondFigure, OfManyRowsHasTheExtremesOfEachColumn) {
+  install_gnuplot("cat \"${folder}history.csv\" > $output\n");
+  ASSERT_EQ(run("respond paper --hz 70 --duration 0.02 --set numerics.time_step=2e-6 --every 1 --output "
+                "history.csv "
+                "--figure history.png")
+                .status,
+            0);
+  const auto rows = csv(contents("history.csv")), drawn = csv(contents("history.png"));
+  ASSERT_EQ(rows.size(), 10002u);
+  const double width = 0.02 / 1000.0;
+  std::size_t slipping = 0, at = 1;
+  for (std::size_t first = 1, end = 1; first < rows.size(); first = end) {
+    const auto column = [&](std::size_t row) { return std::floor(std::stod(rows[row][0]) / width); };
+    bool slips = false;
+    for (end = first; end < rows.size() && column(end) == column(first); ++end)
+      slips = slips || rows[end].back() == "slip";
+    slipping += slips ? 1 : 0;
+    const bool is_pair = end > first + 1;
+    ASSERT_LT(at + (is_pair ? 1 : 0), drawn.size());
+    for (std::size_t i = 1; i + 1 < rows[0].size(); ++i) {
+      const auto cell = [&](const auto& row) { return std::stod(row[i]); };
+      const auto [least, most] =
+          std::minmax_element(rows.begin() + static_cast<long>(first), rows.begin() + static_cast<long>(end),
+                              [&](const auto& a, const auto& b) { return cell(a) < cell(b); });
+      EXPECT_EQ(drawn[at][i], std::min(least, most)->at(i)) << rows[first][0];
+      if (is_pair) EXPECT_EQ(drawn[at + 1][i], std::max(least, most)->at(i)) << rows[first][0];
+    }
+    for (std::size_t k = 0; k < (is_pair ? 2u : 1u); ++k)
+      EXPECT_EQ(drawn[at + k].back(), slips ? "slip" : "stick") << rows[first][0];
+    at += is_pair ? 2 : 1;
+  }
+  EXPECT_EQ(at, drawn.size());
+  EXPECT_GT(slipping, 100u);
+}
+
 // The rows of a table of numbers under its names.
 std::vector<std::vector<double>> numbers(const std::string& table) {
   auto rows = csv(table);

@@ -394,6 +394,18 @@ TEST(WrongModel, OfACosineIsTheSlopeOfThatOfASine) {
   }
 }
 
+// Over one step the force of a base that starts at its largest displacement falls: the largest is that at t = 0.
+TEST(WrongModel, OfACosineHasItsLargestForceAtTheStart) {
+  constexpr double step = 1e-5;
+  const data::Case problem = with_values(with_excitation(paper_case(1.0), 15.0, 1e-3),
+                                         {{"numerics.time_step", step}, {"excitation.duration", step}});
+  const auto value = [&](Quantity quantity, double at) {
+    return wrong_values(problem, "cosine-for-sine", quantity, {at}).front();
+  };
+  EXPECT_LT(value(Quantity::stick_force, step), 0.999 * value(Quantity::stick_force, 0.0));
+  EXPECT_EQ(value(Quantity::force_maximum, 15.0), value(Quantity::stick_force, 0.0));
+}
+
 TEST(WrongModel, WithFewModesIsTheResponseOfSoManyModes) {
   const data::Case problem = paper_case(0.3);
   const Values times = abscissa_for(problem, Quantity::stick_force);

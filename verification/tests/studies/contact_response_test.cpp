@@ -161,6 +161,28 @@ TEST(MotionQuantities, AreThoseOfTheEventDrivenMotion) {
   EXPECT_DOUBLE_EQ(response.values.sticks, captures / 8.0);
 }
 
+// While the tip sticks, the force is that of the closed form: over two periods the least is the largest in magnitude at 15 Hz,
+// and the greatest at 110 Hz.
+TEST(MotionQuantities, CountTheForceOfEitherSign) {
+  constexpr double amplitude = 1e-5;
+  for (const double hz : {15.0, 110.0}) {
+    const double step = 1e-3 / hz;
+    const data::Case problem = case_with_step("damped", hz, amplitude, step, 2.0 / hz, 10);
+    const analytic::DampedForce force(
+        analytic::damped_reaction(problem.beam, problem.damping, 10, analytic::SteadyPart::exact),
+        studies::angular_frequency(problem.excitation), 1.0);
+    double least = 0.0, greatest = 0.0;
+    for (int i = 1; i <= 2000; ++i) {
+      least = std::min(least, amplitude * force.value(i * step));
+      greatest = std::max(greatest, amplitude * force.value(i * step));
+    }
+    ASSERT_GT(std::abs(least + greatest), 0.1 * greatest);
+    const double largest = std::max(-least, greatest);
+    EXPECT_TRUE(within(studies::contact_response(problem, 0.0).values.largest_force, largest,
+                       discretisation(1e-3 * largest, 1.0, "the scheme at 1000 steps a period")));
+  }
+}
+
 TEST(MotionQuantities, TellPeriodsApart) {
   const auto samples = [](const std::vector<double>& cycle) {
     std::vector<std::vector<std::complex<double>>> result;

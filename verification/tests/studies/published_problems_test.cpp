@@ -245,5 +245,17 @@ TEST(JumpOfFriction, IsRefusedWhereAStepCouldBothStickAndSlip) {
   EXPECT_THROW(analytic::require_unique_step({10.0, data::FrictionLaw(jumping)}, 1e-9), data::FieldError);
 }
 
+// A spring of 4 N/m at 0.3 m and a force of 3 N leave 1.8 N, less than mu_s N = 2 N; at 0.2 and 1.3 m 2.2 N of either sign.
+TEST(PublishedProblems, MassIsHeldByWhatSpringAndForceLeave) {
+  analytic::ContactModel model =
+      contact_model({.stiffness = 4.0,
+                     .normal_force = 10.0,
+                     .friction = {.static_coefficient = 0.2, .kinetic_coefficient = 0.2}});
+  model.contact_force = 3.0;
+  for (const auto& [position, holds] : {std::pair{0.3, true}, {1.2, true}, {0.2, false}, {1.3, false}})
+    EXPECT_EQ(comparison::is_held(model, position, 0.0), holds) << position;
+  EXPECT_FALSE(comparison::is_held(model, 0.3, 1e-9));
+}
+
 }  // namespace
 }  // namespace stickslip::testing
