@@ -40,7 +40,6 @@ data::Case case_of(const AnimateOptions& options) {
 
 Answer animate(const AnimateOptions& options, Outputs& outputs) {
   const data::Case problem = case_of(options);
-  data::require_rigid(problem.contact, "the command animate; respond takes it");
   outputs.about(problem);
   const double duration = problem.numerics.duration();
   if (options.frames - 1 > duration / problem.numerics.time_step() * (1.0 + 1e-12))

@@ -13,6 +13,7 @@ void add_set_option(CLI::App& command, std::vector<std::string>& overrides, cons
 }
 
 void add_case_options(CLI::App& command, CaseOptions& options) {
+  options.rigid_for = command.get_name();
   command.add_option("CASE", options.name, "A name that 'stickslip cases' lists, or the path of a TOML file")
       ->capture_default_str();
   add_set_option(command, options.overrides, "Replace a key of the case, as in beam.length=1.8; repeatable");
@@ -67,7 +68,10 @@ std::vector<std::vector<data::Override>> read_rows(const std::string& file, std:
 data::Case load_case(const CaseOptions& options, const std::vector<data::Override>& more) {
   auto overrides = overrides_of(options);
   overrides.insert(overrides.end(), more.begin(), more.end());
-  return data::load_case(options.name, overrides);
+  data::Case problem = data::load_case(options.name, overrides);
+  if (!options.rigid_for.empty())
+    data::require_rigid(problem.contact, fmt::format("the command {}; respond takes it", options.rigid_for));
+  return problem;
 }
 
 data::NumericalSettings numerics_up_to(double frequency_hz, const CaseOptions& options) {

@@ -25,6 +25,7 @@ struct CaseOptions {
   std::string name = "paper";
   std::vector<std::string> overrides{};
   std::vector<data::Override> keys{};  ///< of options with a name of their own, which win
+  std::string rigid_for{};  ///< the command, unless it takes a spring or a smooth law of the contact
 };
 
 void add_set_option(CLI::App& command, std::vector<std::string>& overrides, const std::string& help);
@@ -44,7 +45,7 @@ void add_duration_option(CLI::App& command, CaseOptions& options,
 [[nodiscard]] std::vector<std::vector<data::Override>> read_rows(const std::string& file,
                                                                  std::string_view what);
 
-/// The case with those overrides and some more. Throws data::InputError.
+/// The case with those overrides and some more. Throws data::InputError, also for a contact that the command does not take.
 [[nodiscard]] data::Case load_case(const CaseOptions& options, const std::vector<data::Override>& more = {});
 
 /// The settings of that case for excitations up to a frequency, which decides those that the case does not state.

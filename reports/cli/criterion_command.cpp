@@ -106,7 +106,6 @@ Answer answer_of(const data::Case& problem, const studies::CriterionAnswer& foun
 
 data::Case case_of(const CaseOptions& options, const std::vector<data::Override>& point = {}) {
   data::Case problem = load_case(options, point);
-  data::require_rigid(problem.contact, "the criterion, whose tip is held; respond takes it");
   analytic::require_contact(problem.beam);
   studies::require_feasible(problem, studies::Inquiry::criterion);
   return problem;

@@ -124,7 +124,6 @@ Answer answer_of(const data::Case& problem, const studies::Design& design) {
 
 Answer design(const DesignOptions& options, Outputs& outputs) {
   data::Case problem = load_case(options.problem);
-  data::require_rigid(problem.contact, "the design guide, whose tip is held; respond takes it");
   analytic::require_contact(problem.beam);
   const Ranges ranges = ranges_of(problem, options);
   problem.numerics = numerics_up_to(ranges.band.upper, options.problem);

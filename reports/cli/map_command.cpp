@@ -84,7 +84,6 @@ studies::MapTask map_task(const MapOptions& options) {
       task.problem.numerics = numerics_up_to(axis->values.back(), options.problem);
   }
   task.transient = options.transient.value_or(0.5 * task.problem.numerics.duration());
-  data::require_rigid(task.problem.contact, "a map, whose tip is held or slides; respond takes it");
   studies::require_resting_wall(task.problem);
   return task;
 }

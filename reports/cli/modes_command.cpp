@@ -75,7 +75,6 @@ Answer answer_of(const data::Case& problem, const ModesOptions& options,
 
 Answer modes(const ModesOptions& options, Outputs& outputs) {
   const data::Case problem = load_case(options.problem);
-  data::require_rigid(problem.contact, "the modes, whose tip is held or free; respond takes it");
   outputs.about(problem);
   outputs.open({{"--figure", options.figure}});
   if (outputs.has("--figure") && options.count > most_drawn)

@@ -80,6 +80,7 @@ Answer respond(const RespondOptions& options, Outputs& outputs) {
 
 void add_options(CLI::App& command, RespondOptions& options) {
   add_case_options(command, options.problem);
+  options.problem.rigid_for.clear();
   add_excitation_options(command, options.problem);
   command
       .add_option(

@@ -134,7 +134,6 @@ Answer steady_sliding(const SquealOptions& options, Outputs& outputs) {
   if (options.map.empty() && !options.figure.empty())
     throw data::InputError("--figure draws the map, but --map FILE is missing");
   const data::Case problem = load_case(options.problem);
-  data::require_rigid(problem.contact, "squeal; respond takes it");
   require_modes(problem, options.modes);
   const studies::Squeal squeal = studies::squeal_of(problem, options.modes);
   std::vector<double> speeds, ratios;

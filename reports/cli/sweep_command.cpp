@@ -65,7 +65,6 @@ studies::SweepTask sweep_task(const SweepOptions& options) {
   data::Case problem = load_case(options.problem);
   if (axis.parameter == "excitation.frequency_hz")
     problem.numerics = numerics_up_to(axis.values.back(), options.problem);
-  data::require_rigid(problem.contact, "a sweep; respond takes it");
   studies::require_resting_wall(problem);
   return {.problem = problem,
           .parameter = axis.parameter,

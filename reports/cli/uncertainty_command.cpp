@@ -145,8 +145,7 @@ Answer slip_probability(const UncertaintyOptions& given, Outputs& outputs) {
   UncertaintyOptions options = given;
   const auto overrides = overrides_of(options.problem);
   const auto file = data::find_case(options.problem.name);
-  data::Case problem = data::read_case(file, overrides);
-  data::require_rigid(problem.contact, "the probability of slip, whose tip is held; respond takes it");
+  data::Case problem = load_case(options.problem);
   const data::Uncertainty uncertainty = studies::without(data::read_uncertainty(file), overrides);
   if (options.band) {
     const auto band = parse_range("--band", "excitation.frequency_hz", *options.band, true);

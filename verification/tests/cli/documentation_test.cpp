@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <regex>
 #include <sstream>
 #include <string>
@@ -150,6 +151,59 @@ TEST_F(HelpedCommand, IsVerifiedOrExcludedByNameInTheReport) {
   std::ranges::sort(named);
   std::ranges::sort(all);
   EXPECT_EQ(named, all);
+}
+
+// The cells of the rows below a line of a Markdown text that begins so.
+std::vector<std::vector<std::string>> table_below(const std::string& text, const std::string& head) {
+  const auto lines = lines_of(text);
+  auto line = std::ranges::find_if(lines, [&](const auto& each) { return each.starts_with(head); });
+  std::vector<std::vector<std::string>> rows;
+  for (std::size_t skipped = 0; line != lines.end() && line->starts_with("|"); ++line, ++skipped) {
+    if (skipped < 2) continue;
+    auto& cells = rows.emplace_back();
+    std::istringstream row(line->substr(1));
+    for (std::string cell; std::getline(row, cell, '|');) cells.push_back(cell.substr(1, cell.size() - 2));
+  }
+  return rows;
+}
+
+// A cell "no" is a refusal that names the key; every other one but "by method" is no refusal.
+TEST_F(HelpedCommand, TakesWhatTheUserGuideSays) {
+  const std::string map =
+      "map --x length=1:1.1:2 --y amplitude=1mm:2mm:2 --output map.csv --set excitation.duration=0.5";
+  const std::map<std::string, std::string> lines{
+      {"modes", "modes"},
+      {"criterion", "criterion"},
+      {"map", map},
+      {"uncertainty", "uncertainty uncertain --samples 10"},
+      {"map --method fe", map + " --method fe"},
+      {"map --quantity", map + " --quantity travel"},
+      {"sweep", "sweep --parameter amplitude=1mm:2mm:2 --output sweep.csv"},
+      {"design", "design --band 20:20.1"},
+      {"squeal", "squeal reed"},
+      {"periodic", "periodic damped"}};
+  const char* keys[] = {"damping.ratio=0.01", "beam.shear_stiffness=6410256", "wall.speed=0.1",
+                        "contact.tangential_stiffness=1e6"};
+  std::size_t tried = 0;
+  for (const auto& row : table_below(contents(STICKSLIP_SOURCE_DIRECTORY "/reports/manual/user-guide.md"),
+                                     "| command | `[damping]`")) {
+    ASSERT_EQ(row.size(), 6u);
+    std::istringstream names(row[0]);
+    for (std::string name; std::getline(names >> std::ws, name, ',');) {
+      const auto line = lines.find(name.substr(1, name.size() - 2));
+      if (line == lines.end()) continue;
+      ++tried;
+      for (std::size_t i = 0; i < std::size(keys); ++i) {
+        const std::string key = keys[i];
+        const Outcome outcome = run(line->second + " --quiet --set " + key);
+        EXPECT_EQ(outcome.status, row[i + 1] == "no" ? 2 : 0) << line->second << ' ' << key << outcome.errors;
+        EXPECT_TRUE(outcome.status == 0 ||
+                    outcome.errors.starts_with("stickslip: " + key.substr(0, key.find('='))))
+            << outcome.errors;
+      }
+    }
+  }
+  EXPECT_EQ(tried, lines.size());
 }
 
 STICKSLIP_VERIFIES(ManualPage, "U9");
