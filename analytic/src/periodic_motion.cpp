@@ -289,8 +289,10 @@ class Shooting {
   Shooting(const ContactModel& model, ContactStart start, double period, bool free_period)
       : model_(model), start_(std::move(start)), period_(period), free_period_(free_period) {}
 
+  // A start from which three steps lead no nearer is given up: each step may take seconds.
   [[nodiscard]] std::optional<PeriodicMotion> run() {
-    double last = std::numeric_limits<double>::infinity();
+    constexpr int patience = 3;
+    double first = 0.0, last = std::numeric_limits<double>::infinity();
     Matrix derivative;  // kept while each step brings a digit
     bool is_new = false;
     for (int iteration = 0; iteration < 30; ++iteration) {
@@ -298,7 +300,8 @@ class Shooting {
       const PoincareImage image = image_of(model_, start_, period_, phases, false, tolerance_of_state);
       if (image.end.phase != start_.phase) return std::nullopt;
       const double residual = residual_of(image);
-      if (!std::isfinite(residual)) return std::nullopt;
+      if (iteration == 0) first = residual;
+      if (!std::isfinite(residual) || (iteration >= patience && residual >= first)) return std::nullopt;
       // The tolerance of the run, or what its rounding leaves.
       const bool is_found = residual < 1e-12 || (residual < 1e-9 && is_new && residual >= 0.3 * last);
       is_new = is_found || !(residual < 0.1 * last) || derivative.empty();
@@ -405,6 +408,7 @@ PeriodicSearch self_excited_motion(const ContactModel& model, double settle, dou
   run.start_stuck({}, {});
   run.advance_to(settle);
   constexpr std::size_t most_cycles = 12;
+  constexpr int most_failures = 4;  // of Newton's method: a longer motion takes it longer still
   // Of u_c_t through 0 in the direction of the wall, each with the sample behind it.
   struct Crossing {
     double time{};
@@ -425,7 +429,8 @@ PeriodicSearch self_excited_motion(const ContactModel& model, double settle, dou
   }
   if (crossings.size() < 2 && run.state() == data::ContactState::stick) return {{}, NoMotion::sticks};
   if (largest < 1e-2 * std::abs(model.wall_speed)) return {{}, NoMotion::steady};
-  for (std::size_t cycles = 1; cycles < crossings.size(); ++cycles) {
+  int failures = 0;
+  for (std::size_t cycles = 1; cycles < crossings.size() && failures < most_failures; ++cycles) {
     const ContactStart& start = crossings.front().after;
     if (start.phase == data::ContactState::stick) return {{}, NoMotion::unsettled};
     const double period = crossings[cycles].time - crossings.front().time;
@@ -436,6 +441,7 @@ PeriodicSearch self_excited_motion(const ContactModel& model, double settle, dou
                         sample * std::abs(once.contact_velocity() - start.kinematics.velocity);
     if (miss > 0.05 * std::abs(model.wall_speed) * period) continue;
     if (auto motion = Shooting(model, start, period, true).run()) return {motion, {}};
+    ++failures;
   }
   return {{}, NoMotion::unsettled};
 }

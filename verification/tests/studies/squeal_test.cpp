@@ -298,6 +298,14 @@ TEST(Cycles, AreNotFoundInSteadySliding) {
   EXPECT_THROW((void)studies::cycle_of(reed({{"wall.speed", "0.0"}}), 1, 10), data::FieldError);
 }
 
+// Five modes grow, and the motion from rest has no period. Newton's method, free to wander, ended at a chatter of 14.3 kHz far
+// away, and took 160 of its periods for one.
+TEST(Cycles, AreNotThoseOfAMotionFarAway) {
+  const auto cycle = studies::cycle_of(reed({{"damping.ratio", "0.001"}, {"numerics.modes", "5"}}), 1, 200);
+  EXPECT_FALSE(cycle.search.motion);
+  EXPECT_EQ(cycle.search.reason, analytic::NoMotion::unsettled);
+}
+
 // Converged in the modes (1.2414 with 10 and 20), a pair of multipliers is outside of the unit circle: the history of this case
 // does not settle to its period.
 TEST(Cycles, OfTheShakenBeamReturnButAreUnstable) {

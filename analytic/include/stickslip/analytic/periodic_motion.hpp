@@ -66,7 +66,7 @@ struct PeriodicMotion {
 enum class NoMotion {
   sticks,    ///< the contact does not change: it sticks for all time
   steady,    ///< the contact slides steadily
-  unsettled  ///< no motion repeats itself after the settling time, within 12 cycles; or Newton's method fails
+  unsettled  ///< none repeats itself after the settling time within 12 cycles; or Newton's method fails, from four starts
 };
 
 /// The motion, or the reason why there is none.
