@@ -497,6 +497,8 @@ TEST(ComparedSamples, OfAQuarticHaveTheErrorOfTheCubicThroughFourNeighbours) {
     EXPECT_TRUE(within(comparison::roughness_at(quartic(40), x), error, rounding)) << x;
     EXPECT_TRUE(within(width(40, x), 2.0 * error, rounding)) << x;
   }
+  // Its value is below the quartic by the product of the distances, 1.5 0.5 0.5 1.5.
+  EXPECT_TRUE(within(comparison::interpolated(quartic(40), 9.5)->value, std::pow(9.5, 4) - 0.5625, rounding));
   EXPECT_TRUE(within(width(40, 20.25), 6.0, rounding));
   EXPECT_EQ(width(40, 20.25, 1.0), 1.5);
   EXPECT_TRUE(within(width(5, 1.5), 12.0, rounding));

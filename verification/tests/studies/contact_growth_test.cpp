@@ -280,6 +280,11 @@ TEST(HistoryConvergence, RefinementObservesGrowthOnSmallMeshes) {
     return studies::history_run(paper_case(), grid(0.1), 5, 1e-4, 1.0, false, share).error;
   };
   EXPECT_NEAR(largest(1e-9), largest(0.0), 1e-7);
+  // That share of an element's mass radiates.
+  const solver::ContactMobility radiating(
+      studies::with_radiating_contact(mesh_system(5), 0.01 * 10.0 * 2.0 / 5, kappa));
+  EXPECT_EQ(studies::history_run(paper_case(), grid(0.1), 5, 1e-4, 1.0, false, 0.01).growth_bound,
+            growth_bound(studies::stepped_contact(radiating, 1e-4, 1.0), kappa));
 }
 
 // --- The warning
