@@ -271,6 +271,10 @@ TEST(BeamSimulation, FirstSlipIsFoundUpToTheLastStep) {
   const double steps = std::floor(*slip / coarse_step);
   EXPECT_EQ(slip_within((steps + 1.0) * coarse_step), slip);
   EXPECT_EQ(slip_within(steps * coarse_step), std::nullopt);
+  // A base that hardly moves, beside a wall that takes the tip along.
+  const data::Case quiet = coarse_case(shaking(25.0, 1e-6));
+  EXPECT_FALSE(solver::first_slip(quiet));
+  EXPECT_TRUE(solver::first_slip(with(quiet, data::Wall(1.0))));
 }
 
 // --- The element: integrals, no locking
