@@ -163,7 +163,7 @@ TEST_F(CompareCommand, ReadsTheHistoriesThatRespondWritesAtAnyStep) {
   EXPECT_TRUE(run("compare stick-slip-events events.csv").output.ends_with("\nagrees\n"));
 }
 
-TEST_F(CompareCommand, ReadsStandardInputAndWritesNothingBesideXmlToStandardOutput) {
+TEST_F(CompareCommand, ReadsStandardInputAndWritesXmlAlone) {
   std::ofstream("mine.csv") << right;
   EXPECT_EQ(run(in_fixture("compare stick-frequencies -") + "--rows 1:2 < mine.csv").status, 0);
   expect_refused(in_fixture("compare damped-history - --events -"),

@@ -125,7 +125,7 @@ TEST_F(HistoryFiles, OfALargeDeflectionComeWithAWarning) {
   }
 }
 
-TEST_F(HistoryFiles, OfSeveralQuantitiesOfAMapAreOfOneFigureThatSaysWhich) {
+TEST_F(HistoryFiles, OfSeveralQuantitiesShareOneFigure) {
   install_gnuplot("echo drawn > $output\n");
   EXPECT_TRUE(holds(run("map damped --set numerics.time_step=1e-3 --duration 0.5 --x frequency=24:26:2 --y "
                         "amplitude=1e-3:2e-3:2 --quantity work,period --output map.csv --figure map.svg")

@@ -39,7 +39,7 @@ TEST_F(KilledRunLong, OfMapLeavesOnlyWhatIsWholeAtFiftyMoments) {
 class WholeReport : public SleepingTool {};
 
 STICKSLIP_VERIFIES(WholeReport, "U12");
-TEST_F(WholeReport, EndedWhileLatexIsAtWorkKeepsFiguresTablesAndTheOldPdf) {
+TEST_F(WholeReport, EndedDuringLatexKeepsWhatWasThere) {
   fs::create_directory(out());
   std::ofstream(out("vv-report.pdf")) << "old";
   install_sleeper("lualatex");

@@ -161,7 +161,7 @@ TEST(ComparedCurve, MeasuresErrorsByTheRangeOfThePublishedColumn) {
   }
 }
 
-TEST(ComparedCurve, InterpolatesAnAbscissaBetweenSamplesWithoutStatedInterpolation) {
+TEST(ComparedCurve, InterpolatesBetweenSamplesByItself) {
   auto mine = own_copy("stick-force");
   mine["t"][3] += 1e-6;
   mine.words("t")[3] = "0.001501";
@@ -219,7 +219,7 @@ TEST(ComparedEvents, MayLieOnEitherSideOfTheHorizon) {
               share < 1e-4 ? 0.0 : 1.0);
 }
 
-TEST(ComparedEvents, MayBeMissingWithinTheToleranceOfTheLastOneWithoutAHorizon) {
+TEST(ComparedEvents, MayBeMissingNearTheLastOne) {
   const auto relative = with_rule("damped-events", [](auto& rule) {
     rule.values.front().norm = data::Norm::relative;
     rule.horizon = std::nullopt;

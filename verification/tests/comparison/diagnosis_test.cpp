@@ -112,7 +112,7 @@ data::Case undamped_case(const char* name, double hz, double amplitude) {
 }
 
 STICKSLIP_VERIFIES(ToleranceOf, "X20");
-TEST(ToleranceOf, ADataSetIsAtMostAThirdOfWhatAListedMistakeChanges) {
+TEST(ToleranceOf, ToleranceIsAThirdOfAListedMistake) {
   const data::Case paper = data::load_case("paper"), held = data::load_case("paper-figure9"),
                    // On 40 elements with 1e-5 s the same mistakes move the events by 2.6e-4 s or more.
       damped = with_the_settings_of_the_paper("damped");
@@ -353,7 +353,7 @@ TEST(DiagnosisOfFile, TakesLateEventsInSequence) {
   EXPECT_TRUE(looks(events, "all events are 0.3 s late"));
 }
 
-TEST(DiagnosisOfNumbers, IsNoConventionOfAnAngleAWholeTurnFurtherOrOfARotation) {
+TEST(DiagnosisOfNumbers, WholeTurnIsNoConventionOfAnAngle) {
   File phase("damped-steady-state", "force_phase");
   plus(-4.0 * quarter_turn)(phase.values());
   EXPECT_EQ(phase.compared().agreement, comparison::Agreement::agrees);
@@ -393,7 +393,7 @@ TEST(DiagnosisOfNumbers, IsNoFactorWhereAllValuesAreSmall) {
   EXPECT_FALSE(holds(file.told(), "times")) << file.told();
 }
 
-TEST(DiagnosisOfNumbers, IsAFactorWhereAHundredthOfDifferenceAndValuesIsLeft) {
+TEST(DiagnosisOfNumbers, FactorLeavesAHundredth) {
   // What is left is d of each value.
   for (const auto& [factor, d, is_factor] : {std::tuple{1e3, 0.0099, true},
                                              {1e3, 0.0101, false},
@@ -429,7 +429,7 @@ TEST(DiagnosisOfNumbers, IsAMeshOfSoManyHermiteElements) {
   EXPECT_TRUE(looks(slip, "a mesh of 4 cubic Hermite elements"));
 }
 
-TEST(DiagnosisOfNumbers, IsAGrowingErrorOverThreeModesThatSpanAFactorOfThree) {
+TEST(DiagnosisOfNumbers, GrowingErrorNeedsThreeModes) {
   const auto of = [](const Values& hz, const Values& errors, const std::string& unit = "Hz") {
     auto values = frequencies(hz, hz);
     for (std::size_t i = 0; i < hz.size(); ++i) values.theirs[i] *= 1.0 + errors[i];
@@ -460,7 +460,7 @@ TEST(DiagnosisOfNumbers, IsAGrowingErrorOverThreeModesThatSpanAFactorOfThree) {
   EXPECT_EQ(of({10, 20, 30}, {0.001, 0.002, 0.003}, "N"), "");
 }
 
-TEST(DiagnosisOfNumbers, IsSoManyElementsWhereTheErrorGrowsWithAPowerOfTheModeNumber) {
+TEST(DiagnosisOfNumbers, NumberOfElementsFollowsFromAGrowingError) {
   const data::Beam beam = data::load_case("paper").beam;
   const auto modes = analytic::stick_modes(beam, 6);
   // A relative error k (beta L/N)^power of each frequency; the mean of the wave numbers is beta to P/(4 EI beta^2).
@@ -541,7 +541,7 @@ TEST(DiagnosisOfNumbers, IsAShiftByUpToFiveOfSixRowsOrMoreThatLeavesThree) {
                   .ends_with("1 row further down"));
 }
 
-TEST(DiagnosisOfNumbers, IsNothingWhereNothingDiffersAndNoShiftWhereAnEndDoes) {
+TEST(DiagnosisOfNumbers, NothingDiffersIsNoHypothesis) {
   for (const Values& reference : {Values{3, 1, 4, 1, 5, 9, 2, 6}, Values(8, 2.0)})
     for (const std::size_t end : {0u, 7u}) {
       Values theirs = reference;
@@ -739,7 +739,7 @@ TEST(DiagnosisOfModels, IsTheNumberThatIsWrongInTheLargestForces) {
 }
 
 // Every 3 ms, where straight lines leave 3 %.
-TEST(DiagnosisOfModels, IsTheNumberThatIsWrongBetweenTheTimesOfTheDataSet) {
+TEST(DiagnosisOfModels, WrongNumberIsFoundBetweenTheTimes) {
   const data::Case held = data::with_value(data::load_case("paper-figure9"), "beam.youngs_modulus", 2.06e9);
   const analytic::StickResponse response(held.beam, held.excitation, 60, analytic::SteadyPart::exact);
   File file("stick-history", "midspan_displacement");

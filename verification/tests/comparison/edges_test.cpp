@@ -34,7 +34,7 @@ TEST(ComparedVerdict, AnErrorEqualToTheToleranceAgrees) {
   EXPECT_EQ(found.undecided, 0u);
 }
 
-TEST(ComparedVerdict, AnErrorEqualToToleranceAndUncertaintyDoesNotDiffer) {
+TEST(ComparedVerdict, ErrorAtTheSumOfBoundsDoesNotDiffer) {
   auto mine = own_copy("damped-events");
   const double radius = mine.reference().radius_of("time")[2], reference = mine["time"][2];
   // An error that is the sum of the radius and a tolerance without rounding.
@@ -214,7 +214,7 @@ TEST(ComparedVerdict, AnEventAtTheLatestTimeIsWithinIt) {
   EXPECT_EQ(mine.compared("time", until(below(sixth))).compared, 5u);
 }
 
-TEST(ComparedVerdict, AnEventMissesTheLatestTimeByNoMoreThanToleranceAndUncertainty) {
+TEST(ComparedVerdict, LatestTimeIsMissedByItsUncertaintyAtMost) {
   // They have five events; the sixth lies before the latest time, by what it may be late or by a little more.
   auto five = own_copy("damped-events");
   const double sixth = five["time"][5], radius = five.reference().radius_of("time")[5];
@@ -286,7 +286,7 @@ TEST(ComparedVerdict, ASampleAtAnEventThatTheyDoNotHaveIsLeftOut) {
   EXPECT_EQ(skipped_for(y, "in another phase"), 29u);  // 0.52, ..., 0.80 s
 }
 
-TEST(ComparedVerdict, TheLargerDistanceToANeighbourGuardsAnEventOnBothSides) {
+TEST(ComparedVerdict, LargerDistanceToANeighbourGuardsAnEvent) {
   // Without events of theirs, samples 10 ms before and behind the onset at 0.305 s, whose farther neighbour
   // is a little more or less than 10 ms away.
   for (const bool before : {true, false})
@@ -303,7 +303,7 @@ TEST(ComparedVerdict, TheLargerDistanceToANeighbourGuardsAnEventOnBothSides) {
     }
 }
 
-TEST(ComparedVerdict, AfterALastEventThatIsMissingTheyAreInAnotherPhase) {
+TEST(ComparedVerdict, AreInAnotherPhaseAfterAMissingEvent) {
   auto mine = own_copy("cubic-history"), events = own_copy("cubic-events");
   events.erase(2);  // they have no capture at 0.805 s
   const Settings settings = with_events(events);
@@ -333,7 +333,7 @@ TEST(ComparedVerdict, BetweenSamplesTheHalfWidthsAreThoseOfTheWeights) {
   EXPECT_NEAR(tip.series[0].half_width[21], error + 152.0 / 128.0 * half_width, 1e-6 * half_width);
 }
 
-TEST(ComparedVerdict, PhasesAreCountedOnceHoweverManyQuantitiesThereAre) {
+TEST(ComparedVerdict, PhasesAreCountedOnceForAllQuantities) {
   auto mine = own_copy("damped-history");
   ASSERT_EQ(mine.compared().quantities.size(), 3u);
   EXPECT_EQ(mine.compared("phase").compared, mine.compared("tip_displacement").compared);

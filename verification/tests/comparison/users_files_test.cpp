@@ -167,7 +167,7 @@ TEST(ComparedTable, MeasuresARelativeErrorByTheMagnitudeOfTheValue) {
   EXPECT_EQ(found.agreement, Agreement::differs);
 }
 
-TEST(ComparedTable, HasTheNumberOfTheRowAsAbscissaWithoutANumericalKey) {
+TEST(ComparedTable, RowNumberIsTheAbscissaWithoutANumericalKey) {
   EXPECT_EQ(published_copy("critical-loads").compared("flutter_load").series.at(1).abscissa,
             std::vector<double>{2.0});
 }
@@ -338,7 +338,7 @@ TEST(ComparedEvents, LeaveReversalsOutThatTheDataSetDoesNotHave) {
 }
 
 STICKSLIP_VERIFIES(ComparedHistory, "X20");
-TEST(ComparedHistory, IsJudgedWithoutTheirEventsWhereSamplesAreRarerThanEvents) {
+TEST(ComparedHistory, IsJudgedWithoutEventsWhereSamplesAreRare) {
   // Every 10 ms, with 94 events a second. Two samples are within the shortest phase of 0.33 ms of an event.
   auto mine = published_copy("stick-slip-energy");
   EXPECT_EQ(mine.compared().agreement, Agreement::agrees);
@@ -401,7 +401,7 @@ TEST(ComparedCoverage, OfAHistoryThatEndsEarlyIsTooSmall) {
   EXPECT_EQ(sequence.undecided, 0u);
 }
 
-TEST(ComparedCoverage, OfEventsEndsWithTheLastOneUnlessALatestTimeIsGiven) {
+TEST(ComparedCoverage, OfEventsEndsWithTheLastOne) {
   auto mine = published_copy("stick-slip-events");
   const double end = mine["time"][19], last = mine["time"].back();
   mine.keep_first(20);
@@ -483,7 +483,7 @@ TEST(ComparedSamples, AreInterpolatedWithinTheEstimatedError) {
   EXPECT_FALSE(comparison::interpolated({{0.0, 1.0}, {0.0, 1.0}, {0.0, 0.0}}, 0.5).has_value());
 }
 
-TEST(ComparedSamples, OfAQuarticHaveTheErrorOfTheCubicThroughFourNeighbours) {
+TEST(ComparedSamples, OfAQuarticHaveTheErrorOfTheCubic) {
   const auto quartic = [](std::size_t size) {
     return sampled(size, 1.0, [](double x) { return x * x * x * x; });
   };
@@ -511,7 +511,7 @@ TEST(ComparedSamples, OfAQuarticHaveTheErrorOfTheCubicThroughFourNeighbours) {
   EXPECT_FALSE(comparison::interpolated(quartic(3), 1.5, cubic, 0.25).has_value());
 }
 
-TEST(ComparedSamples, AreComparedWhereTheyAreAloneAndElseAtThoseOfTheDataSet) {
+TEST(ComparedSamples, AreComparedWhereTheyAreAlone) {
   const auto reference = sampled(11, 1.0, [](double x) { return x; });
   const auto compared = [&](const std::vector<double>& x) {
     return comparison::by_own_interpolation(reference, {x, x, std::vector(x.size(), 0.0)}, 1.0, 1e-9);

@@ -276,7 +276,7 @@ double base_motion(const data::Case& problem, double t) {
 }
 
 STICKSLIP_VERIFIES(WrongModelEffects, "X17");
-TEST(WrongModelEffects, AreThoseOfTheUndampedHeldBeamAndOfTheDampedSlidingOne) {
+TEST(WrongModelEffects, AreThoseOfHeldAndSlidingBeam) {
   data::Case problem = paper_case(10.0);
   problem.damping = data::Damping({.kelvin_voigt = 6e-5});
   const auto effects = comparison::wrong_model_effects(problem, 0.1, 0.07);
@@ -341,7 +341,7 @@ double truncation(const RightResult& right) {
 }
 
 STICKSLIP_VERIFIES(WrongModel, "X17");
-TEST(WrongModel, SecondMomentAsPrintedHasTheFrequenciesOfTheErratum) {
+TEST(WrongModel, SecondMomentAsPrintedHasErratumFrequencies) {
   const Values hz =
       wrong_values(paper_case(0.1), "second-moment-as-printed", Quantity::stick_frequency, {1.0, 2.0, 3.0});
   EXPECT_TRUE(within(hz[0], 1.607, reference(5e-4, "E1")));
@@ -349,7 +349,7 @@ TEST(WrongModel, SecondMomentAsPrintedHasTheFrequenciesOfTheErratum) {
   EXPECT_TRUE(within(hz[2], 16.03, reference(5e-3, "E1")));
 }
 
-TEST(WrongModel, SecondMomentOfTheOtherAxisIsAHundredfoldForTheFlatSectionAndNoneForASquare) {
+TEST(WrongModel, SecondMomentOfTheOtherAxis) {
   data::BeamProperties properties = flat_properties(2.0, 500.0);
   properties.second_moment_of_area *= 100.0;
   data::Case upright = flat_case();
@@ -364,7 +364,7 @@ TEST(WrongModel, SecondMomentOfTheOtherAxisIsAHundredfoldForTheFlatSectionAndNon
                                         Quantity::stick_frequency, modes));
 }
 
-TEST(WrongModel, ZeroInitialVelocityGrowsWithTheModesAsInTheErratum) {
+TEST(WrongModel, ZeroInitialVelocityGrowsWithTheModes) {
   const data::Case problem = with_excitation(paper_case(10.0), 15.0, 0.5e-3);
   const auto largest = [&](int modes) {
     return wrong_values(with_numerics(problem, 20, 1e-4, modes), "zero-initial-velocity",
@@ -493,7 +493,7 @@ TEST(WrongModel, HasTheStepsThatItsNameSays) {
   }
 }
 
-TEST(WrongModel, HasTheMotionTheMatricesAndTheFrictionThatItsNameSays) {
+TEST(WrongModel, HasTheMistakeThatItsNameSays) {
   const data::Case problem = paper_case(0.1);
   const auto base = comparison::recipe_of("cosine-for-sine").base(problem.excitation);
   const double omega = 50.0 * std::numbers::pi;
@@ -532,7 +532,7 @@ TEST(WrongModel, HasTheMotionTheMatricesAndTheFrictionThatItsNameSays) {
 
 // 2 x'' + 0.8 x' + 50 x = 3 t: the line x_p = 3 t/50 - 3 0.8/50^2, which the midpoint rule keeps, and two roots s, each of
 // which makes (1 + s h/2)/(1 - s h/2) of a substep.
-TEST(WrongModel, WithALawOfItsOwnTakesTenSubstepsOfTheMidpointRule) {
+TEST(WrongModel, OwnLawTakesTenMidpointSubsteps) {
   auto system = contact_system({.mass = 2.0, .stiffness = 50.0, .damping = 0.8, .normal_force = 10.0},
                                {[](double) { return 0.01; }, [](double) { return 0.3; }, {}});
   system.load_shape = scalar(2.0);
@@ -610,7 +610,7 @@ TEST(WrongModel, WithoutTheQuasiStaticPartLacksTheStaticForce) {
                      discretisation(truncation(force), 2.0, "sixty modes")));
 }
 
-TEST(WrongModel, ParticipationWithoutShapeIsTheQuotientOfIntegrals) {
+TEST(WrongModel, ParticipationIsTheQuotientOfIntegrals) {
   const data::Case problem = strip_case(0.3);
   const Values computed =
       wrong_values(problem, "participation-without-shape", Quantity::participation, {1.0, 2.0, 3.0});
@@ -628,7 +628,7 @@ TEST(WrongModel, ParticipationWithoutShapeIsTheQuotientOfIntegrals) {
   }
 }
 
-TEST(WrongModel, OneWaveNumberIsThatWithoutAxialForceInTheDispersionRelation) {
+TEST(WrongModel, OneWaveNumberLeavesOutTheAxialForce) {
   // tan(beta L) = tanh(beta L) and rho A omega^2 = EI beta^4 + P beta^2.
   const Values modes{1.0, 2.0, 3.0};
   for (const double force : {0.0, 20.0}) {
@@ -648,7 +648,7 @@ TEST(WrongModel, OneWaveNumberIsThatWithoutAxialForceInTheDispersionRelation) {
   }
 }
 
-TEST(WrongModel, WithAClampedTipHasTheFrequenciesOfABeamClampedAtBothEnds) {
+TEST(WrongModel, ClampedTipHasTheFrequenciesOfAClampedBeam) {
   const data::Case problem = data::with_value(strip_case(0.3), "beam.axial_force", 0.0);
   const double held = comparison::reference_result(problem, Quantity::stick_frequency, {1.0})[0],
                clamped = wrong_values(problem, "tip-clamped-in-stick", Quantity::stick_frequency, {1.0})[0];
@@ -856,7 +856,7 @@ TEST(Diagnosis, NamesHardlyAnyUnrelatedErrorByAccident) {
   EXPECT_LE(named, draws / 100);
 }
 
-TEST(Diagnosis, AddsTheUncertaintiesAndMeasuresTheDimensionByAngles) {
+TEST(Diagnosis, DimensionIsMeasuredByAngles) {
   // Two deviations of length 0.5 at 60 degrees: n = 2^2/(1 + 1 + 2 cos^2 60).
   const double length = 0.5 / std::sqrt(3.0);
   const ModelResults model_results{
@@ -895,7 +895,7 @@ TEST(Diagnosis, CountsADistanceEqualToTheUncertaintyAsWithinIt) {
   EXPECT_EQ(mistaken.named, std::vector<std::string>{"tension"});
 }
 
-TEST(Diagnosis, IsASentenceThatNamesAtMostThreeMistakesAndNoneThatChangesNothing) {
+TEST(Diagnosis, SentenceNamesAtMostThreeMistakes) {
   Diagnosis diagnosis{
       .from_reference = 0.1,
       .uncertainty = 0.02,
@@ -930,7 +930,7 @@ TEST(Diagnosis, IsASentenceThatNamesAtMostThreeMistakesAndNoneThatChangesNothing
   EXPECT_EQ(said(Finding::unexplained, {}), "wrong by 10 %, not near any known mistake");
 }
 
-TEST(Diagnosis, NamesThoseTogetherThatTheObservationCannotTellApart) {
+TEST(Diagnosis, NamesTogetherWhatCannotBeToldApart) {
   const RightResult force{strip_case(0.5), Quantity::stick_force};
   const ModelResults model_results = model_results_of(force.problem, force.quantity);
   const Diagnosis diagnosis = comparison::diagnose(model_results, force.of("dead-load"),
@@ -985,7 +985,7 @@ TEST(ReferenceResultsOf, RefusesAnAbscissaThatTheQuantityDoesNotHave) {
   refuses(Quantity::tip_displacement, {0.01, 0.02});  // and does not move
 }
 
-TEST(ReferenceResultsOf, AreUncertainByARunOnHalfTheElementsButOnOneAtLeast) {
+TEST(ReferenceResultsOf, AreUncertainByARunOnHalfTheElements) {
   const data::Case problem = case_for("paper", Quantity::tip_displacement);
   const Values times = steps_to(0.1, 20);
   for (const auto& [elements, coarser] : {std::pair{1, 1}, {2, 1}, {3, 1}, {4, 2}}) {

@@ -190,7 +190,7 @@ TEST(StickSlipIntegrator, ObserverSeesTheForceAtTheEndOfTheStep) {
   EXPECT_GE(oscillator.events().size(), 5u);
 }
 
-TEST(StickSlipIntegrator, ContactOnASpringThatDoesNotYieldIsASpringOfTheSystem) {
+TEST(StickSlipIntegrator, UnyieldingSpringIsASpringOfTheSystem) {
   // A step solves for the force of the contact's spring with the motion, so that both take the same steps.
   const double h = 0.02, spring = 400.0;
   for (const double radius : {0.0, 0.5, 1.0}) {
@@ -219,7 +219,7 @@ TEST(StickSlipIntegrator, RefusesAStartOfAnotherSize) {
   EXPECT_THROW(mass.start_slipping(one, two), std::invalid_argument);
 }
 
-TEST(StickSlipIntegrator, FrictionLawHoldsInTheLongestStepAndNoLongerOneIsTaken) {
+TEST(StickSlipIntegrator, FrictionLawHoldsInTheLongestStep) {
   // At spectral radius 0 the balance holds at the end of the step: m (2 a_1 - a_0) = -mu(v_1) N with
   // v_1 = v_0 + h (3 a_1 - a_0)/2. The step is 99 % of the longest one, 4 m/(3 N (mu_s - mu_m) alpha).
   const data::FrictionCoefficients weakening{

@@ -41,7 +41,7 @@ TEST(CriterionAnswer, VerdictsChangeAtTheCriticalAmplitudes) {
   EXPECT_EQ(at(below(answer.steady->critical_amplitude)).steady->verdict, Verdict::stick);
 }
 
-TEST(CriterionAnswer, NearestFrequencyIsBelowOrAboveThatOfTheExcitation) {
+TEST(CriterionAnswer, NearestFrequencyIsBelowOrAbove) {
   const auto modes = analytic::stick_modes(paper_at("35", "1e-3").beam, 2);  // 24.97 and 81.08 Hz
   for (const auto& [hz, mode] :
        {std::pair<double, int>{5.0, 1}, {27.0, 1}, {53.0, 1}, {53.1, 2}, {90.0, 2}}) {

@@ -233,7 +233,7 @@ TEST(DesignScan, NamesANaturalFrequencyOnlyWhereItIsInTheBand) {
 }
 
 // With damping a beam may stick at its natural frequencies. The margins are those of the criterion and of the steady force.
-TEST(DesignScan, OfADampedBeamHasTheMarginsOfStartUpAndSteadyVibration) {
+TEST(DesignScan, OfADampedBeamHasBothMargins) {
   data::Case problem = with_value(flat_case(), "excitation.amplitude", 2e-5);
   const FrequencyBand band{15.0, 40.0};
   for (const data::Damping& damping :

@@ -232,7 +232,7 @@ TEST(AmplitudeLimits, AreThoseOfTheCommandAndItsSteadyAndShearedBeams) {
 }
 
 STICKSLIP_VERIFIES(AmplitudeBudget, "X22");
-TEST(AmplitudeBudget, HasTheChangeByEachCauseAndThatOfTheCoefficientInProportion) {
+TEST(AmplitudeBudget, HasTheChangeByEachCause) {
   studies::AmplitudeLimits limits;
   limits.limits = {{.frequency_hz = 35.0,
                     .start_up = 4.0,

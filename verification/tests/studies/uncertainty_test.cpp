@@ -301,7 +301,7 @@ TEST(SlipProbability, OfACoefficientIsThatOfItsDistribution) {
 
 // Samples slip whose mu_s, per amplitude, is below that of all modes, which is another than that of ten modes. A Young's modulus
 // that is uncertain by 1e-12 moves no verdict, but each sample has a force of its own then.
-TEST(SlipProbability, OfAllModesCountsTheFirstSamplesBelowTheirCoefficient) {
+TEST(SlipProbability, OfAllModesCountsTheFirstSamples) {
   const auto with_amplitude = independent(
       {{"friction.static_coefficient", normal(0.55, 0.05)}, {"excitation.amplitude", uniform(4e-4, 6e-4)}});
   const auto with_a_force_each = independent({{"friction.static_coefficient", normal(0.55, 0.05)},

@@ -64,8 +64,8 @@ struct PeriodicMotion {
 
 /// What stands between a model and a periodic motion.
 enum class NoMotion {
-  sticks,    ///< the contact does not change: it sticks for all time
-  steady,    ///< the contact slides steadily
+  sticks,  ///< the contact does not change: it sticks for all time
+  steady,  ///< the contact slides steadily
   unsettled  ///< none repeats itself after the settling time within 12 cycles; or Newton's method fails, from four starts
 };
 
