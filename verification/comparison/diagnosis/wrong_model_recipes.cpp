@@ -40,11 +40,6 @@ const Quantities everything =
 double mass_per_length(const data::Beam& beam) { return beam.density() * beam.area(); }
 double rigidity(const data::Beam& beam) { return beam.youngs_modulus() * beam.second_moment_of_area(); }
 
-data::Case with_damping(data::Case problem, const data::Damping& damping) {
-  problem.damping = damping;
-  return problem;
-}
-
 using Inputs = std::function<std::optional<data::Case>(const data::Case&)>;
 
 // One number of the case times a factor.
@@ -57,11 +52,12 @@ Inputs with_multiple(std::string_view parameter, double factor) {
 // The time step times a factor, and another spectral radius, if one is given.
 Inputs with_scheme(double factor, std::optional<double> spectral_radius = std::nullopt) {
   return [=](const data::Case& problem) {
-    return with_settings(problem, [=](data::NumericalChoices& choices) {
-      choices.spectral_radius = spectral_radius.value_or(choices.spectral_radius);
-      choices.time_step *= factor;
-      choices.duration = std::max(choices.duration, choices.time_step);
-    });
+    const data::NumericalSettings& given = problem.numerics;
+    const double step = factor * given.time_step();
+    return with_values(problem,
+                       {{"numerics.spectral_radius", spectral_radius.value_or(given.spectral_radius())},
+                        {"numerics.time_step", step},
+                        {"excitation.duration", std::max(given.duration(), step)}});
   };
 }
 
@@ -239,11 +235,13 @@ WrongModelRecipe with_modes(const std::string& name, const std::string& count, s
 }
 
 WrongModelRecipe with_mesh_of(const std::string& name, const std::string& count, int elements) {
-  return {.wrong_model = {name, "a mesh of " + count + " elements", "Sect. 2",
-                          natural_frequencies + held_motion + stick_slip},
-          .inputs = [elements](const data::Case& problem) { return with_elements(problem, elements); },
-          .mesh = [](solver::ContactSystem&, const solver::BeamModel&) {},
-          .depends_on_mesh = true};
+  return {
+      .wrong_model = {name, "a mesh of " + count + " elements", "Sect. 2",
+                      natural_frequencies + held_motion + stick_slip},
+      .inputs = [elements](
+                    const data::Case& problem) { return with_value(problem, "numerics.elements", elements); },
+      .mesh = [](solver::ContactSystem&, const solver::BeamModel&) {},
+      .depends_on_mesh = true};
 }
 
 using Recipes = std::vector<WrongModelRecipe>;
@@ -486,7 +484,7 @@ Recipes damping_mistakes() {
       {.wrong_model = {"damping-left-out", "the damping of the problem is left out", "Eq. (1)", stick_slip},
        .inputs = [](const data::Case& problem) -> std::optional<data::Case> {
          if (problem.damping.ratio() == 0.0 && problem.damping.kelvin_voigt() == 0.0) return std::nullopt;
-         return with_damping(problem, {});
+         return with(problem, data::Damping());
        }},
       {.wrong_model =
            {"structural-damping",
@@ -506,7 +504,7 @@ Recipes damping_mistakes() {
        .inputs = [](const data::Case& problem) -> std::optional<data::Case> {
          if (problem.damping.kelvin_voigt() == 0.0) return std::nullopt;
          const double omega = analytic::stick_modes(problem.beam, 1).front().angular_frequency();
-         return with_damping(problem, data::Damping({.ratio = 0.5 * problem.damping.kelvin_voigt() * omega}));
+         return with(problem, data::Damping({.ratio = 0.5 * problem.damping.kelvin_voigt() * omega}));
        }},
   };
 }
@@ -564,10 +562,6 @@ WrongModelRecipe smoothed_over(WrongModel wrong_model, double width) {
                                 return coefficient_at(law, std::abs(v)) * std::tanh(v / width);
                               },
                               false}};
-}
-
-data::Case with_elements(const data::Case& problem, int elements) {
-  return with_settings(problem, [=](data::NumericalChoices& choices) { choices.elements = elements; });
 }
 
 const std::vector<WrongModelRecipe>& wrong_model_recipes() {

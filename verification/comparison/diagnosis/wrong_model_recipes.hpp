@@ -53,15 +53,4 @@ struct WrongModelRecipe {
 /// The law times tanh(v_s/width), width in m/s.
 [[nodiscard]] WrongModelRecipe smoothed_over(WrongModel wrong_model, double width);
 
-/// The case with settings that `change` makes of its own ones.
-template <class Change>
-[[nodiscard]] data::Case with_settings(data::Case problem, const Change& change) {
-  data::NumericalChoices choices = problem.numerics.choices();
-  change(choices);
-  problem.numerics = data::NumericalSettings(choices);
-  return problem;
-}
-
-[[nodiscard]] data::Case with_elements(const data::Case& problem, int elements);
-
 }  // namespace stickslip::comparison

@@ -100,7 +100,8 @@ bool uses_mesh(const WrongModelRecipe& model, Quantity quantity) {
 
 MeshedBeam linear_beam(const WrongModelRecipe& model, const data::Case& problem) {
   const bool as_given = model.depends_on_mesh || model.force_row;
-  return meshed_beam(model, as_given ? problem : with_elements(problem, fine_elements), 0.0);
+  return meshed_beam(model, as_given ? problem : with_value(problem, "numerics.elements", fine_elements),
+                     0.0);
 }
 
 // The modal sum of the stick state of a model.
@@ -410,11 +411,10 @@ OptionalValues wrong_values(const WrongModelRecipe& model, const data::Case& pro
 }
 
 data::Case coarser(const data::Case& problem) {
-  return with_settings(problem, [](data::NumericalChoices& choices) {
-    choices.elements = std::max(choices.elements / 2, 1);
-    choices.time_step *= 2.0;
-    choices.duration = std::max(choices.duration, choices.time_step);
-  });
+  const data::NumericalSettings& given = problem.numerics;
+  return with_values(problem, {{"numerics.elements", std::max(given.elements() / 2, 1)},
+                               {"numerics.time_step", 2.0 * given.time_step()},
+                               {"excitation.duration", std::max(given.duration(), 2.0 * given.time_step())}});
 }
 
 // The results of all wrong models by `values_by`.
@@ -567,13 +567,9 @@ ModelResults model_results(const std::vector<data::Case>& cases, Quantity quanti
 
 std::vector<WrongModelEffect> wrong_model_effects(const data::Case& problem, double stick_duration,
                                                   double contact_duration) {
-  const auto with_duration = [&](double duration) {
-    return with_settings(problem, [=](data::NumericalChoices& choices) { choices.duration = duration; });
-  };
   const double hz = problem.excitation.frequency_hz();
-  data::Case held = with_duration(stick_duration);
-  held.damping = {};
-  const data::Case sliding = with_duration(contact_duration);
+  const data::Case held = with_value(with(problem, data::Damping()), "excitation.duration", stick_duration),
+                   sliding = with_value(problem, "excitation.duration", contact_duration);
   const ModelResults stick = model_results(held, stick_frequency, {1.0}),
                      slip = model_results(held, slip_frequency, {1.0}),
                      largest = model_results(held, force_maximum, {hz}),

@@ -209,10 +209,8 @@ studies::ConvergedEffort effort_of(const Run& run) {
 }
 
 data::Case case_of(const Run& run) {
-  data::Case problem = data::load_case(std::string(run.case_name));
-  problem.excitation =
-      data::HarmonicExcitation({.frequency_hz = run.frequency_hz, .amplitude = run.amplitude});
-  return problem;
+  return with(data::load_case(std::string(run.case_name)),
+              data::HarmonicExcitation({.frequency_hz = run.frequency_hz, .amplitude = run.amplitude}));
 }
 
 const studies::ConvergedHistory& history_of(const Run& run) {

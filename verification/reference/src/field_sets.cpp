@@ -144,9 +144,7 @@ DataSet history_of(DataSet set, const data::Case& problem, const Sampling& sampl
 }
 
 data::Case held_problem(double kelvin_voigt) {
-  data::Case problem = data::load_case("paper-figure9");
-  problem.damping = data::Damping({.kelvin_voigt = kelvin_voigt});
-  return problem;
+  return with_value(data::load_case("paper-figure9"), "damping.kelvin_voigt", kelvin_voigt);
 }
 
 constexpr double eta = 6.4e-5;

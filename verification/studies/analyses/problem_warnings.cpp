@@ -202,8 +202,7 @@ std::vector<Warning> warnings_without_effect(const data::Case& problem, Inquiry 
 }  // namespace
 
 std::string shear_effect(const data::Case& problem) {
-  data::Case sheared = problem;
-  sheared.beam = with_shear(problem.beam);
+  const data::Case sheared = data::with(problem, with_shear(problem.beam));
   const std::string choice =
       fmt::format("with beam.shear_stiffness = {:.3g} (k = 5/6, nu = 0.3)", sheared.beam.shear_stiffness());
   if (problem.beam.axial_force() >= analytic::stick_buckling_load(sheared.beam))

@@ -127,9 +127,7 @@ Squeal squeal_of(const data::Case& problem, int modes) {
 
 std::vector<double> sliding_growths(const data::Case& problem, const std::vector<double>& speeds,
                                     double damping_ratio) {
-  data::Case changed = problem;
-  changed.damping = data::Damping({.kelvin_voigt = problem.damping.kelvin_voigt(), .ratio = damping_ratio});
-  const analytic::ContactModel model = response_model(changed);
+  const analytic::ContactModel model = response_model(with_value(problem, "damping.ratio", damping_ratio));
   std::vector<double> growths;
   for (const double speed : speeds) {
     const double slope = analytic::falling_slope(problem.friction, problem.beam.axial_force(), speed);

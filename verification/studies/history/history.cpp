@@ -13,6 +13,7 @@
 #include "stickslip/analytic/amplitude_spectrum.hpp"
 #include "stickslip/analytic/modal_reaction.hpp"
 #include "stickslip/data/input_error.hpp"
+#include "stickslip/data/key.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "studies/common/convergence.hpp"
 
@@ -100,16 +101,14 @@ EventDifference largest_difference(const std::vector<ContactEvent>& a, const std
   return largest;
 }
 
-data::Case refined(data::Case problem, int elements, double time_step, double duration,
+data::Case refined(const data::Case& problem, int elements, double time_step, double duration,
                    const std::optional<double>& spectral_radius) {
-  data::NumericalChoices choices = problem.numerics.choices();
-  choices.elements = elements;
-  choices.time_step = time_step;
-  choices.duration = duration;
-  choices.velocity_threshold = 0.0;
-  choices.spectral_radius = spectral_radius.value_or(choices.spectral_radius);
-  problem.numerics = data::NumericalSettings(choices);
-  return problem;
+  return with_values(
+      problem, {{"numerics.elements", elements},
+                {"numerics.time_step", time_step},
+                {"excitation.duration", duration},
+                {"numerics.velocity_threshold", 0.0},
+                {"numerics.spectral_radius", spectral_radius.value_or(problem.numerics.spectral_radius())}});
 }
 
 long usual_row_step(const data::Case& problem, double span) {

@@ -98,7 +98,7 @@ STICKSLIP_MEMBERS(EventDifference, (time, "s"), (position, "m"))
 /// The case with another mesh, time step (s), duration (s) and, if given, spectral radius, and with the velocity threshold
 /// 0. Located events do not need a threshold. A capture at |v_s| = ε would be early by ε/|v_s_t|, which
 /// is 1e-5 s for the 1e-4 m/s of the paper. Throws data::FieldError.
-[[nodiscard]] data::Case refined(data::Case problem, int elements, double time_step, double duration,
+[[nodiscard]] data::Case refined(const data::Case& problem, int elements, double time_step, double duration,
                                  const std::optional<double>& spectral_radius = std::nullopt);
 
 // How dense the rows of a history must be for the eye and the ear.

@@ -271,9 +271,8 @@ HistoryRun history_run(const data::Case& problem, const ConvergedHistory& refere
     if (radiating_share > 0.0)
       return radiating_history(mesh, system_of(problem, mesh, change, radiating_share),
                                {.time_step = step, .spectral_radius = spectral_radius}, duration, every);
-    data::Case changed = at;
-    changed.excitation = data::HarmonicExcitation(
-        {problem.excitation.frequency_hz(), problem.excitation.amplitude() * (1.0 + change)});
+    const data::Case changed =
+        with_value(at, "excitation.amplitude", problem.excitation.amplitude() * (1.0 + change));
     return finite_element_history(changed, {.every = every}, {.coordinates = solver::Coordinates::modal});
   };
   const History run = history(0.0);

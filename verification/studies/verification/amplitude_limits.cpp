@@ -112,8 +112,7 @@ std::vector<AmplitudeChange> amplitude_budget(const AmplitudeLimits& limits,
     add_ratio("finite elements", "numerical", exact / force.finite_element);
     add_ratio("truncation to the modes kept", "numerical", exact / force.truncated.midpoint());
 
-    data::Case at = problem;
-    at.excitation = data::HarmonicExcitation({hz, problem.excitation.amplitude()});
+    const data::Case at = with_value(problem, "excitation.frequency_hz", hz);
     const SlipUncertainty inputs = slip_uncertainty(at, uncertainty, {.samples = samples, .is_short = true});
     add("all inputs", "input", inputs.quantiles.front().margin.value / inputs.nominal_margin,
         inputs.quantiles.back().margin.value / inputs.nominal_margin);

@@ -139,8 +139,7 @@ ModelForm model_form(const data::Case& paper, const data::Case& half_stiffness,
   for (const FigurePlane& figure : figure_planes(paper, half_stiffness, flat_section, lengths, 1)) {
     const CriterionMap slender = criterion_map({.problem = figure.problem, .x = figure.x, .y = figure.y});
     result.planes.push_back(direction_plane(figure, slender));
-    data::Case sheared = figure.problem;
-    sheared.beam = with_shear(sheared.beam);
+    const data::Case sheared = with(figure.problem, with_shear(figure.problem.beam));
     count_cells(result.shear.emplace_back(ModelPlane{.figures = figure.figures}), slender,
                 criterion_map({.problem = sheared, .x = figure.x, .y = figure.y}));
   }

@@ -19,9 +19,8 @@ namespace {
 
 constexpr int kept_modes = 20;  // with the exact steady part; the omitted modes are bounded
 
-data::Case at(data::Case problem, double hz, double amplitude) {
-  problem.excitation = data::HarmonicExcitation({.frequency_hz = hz, .amplitude = amplitude});
-  return problem;
+data::Case at(const data::Case& problem, double hz, double amplitude) {
+  return with(problem, data::HarmonicExcitation({.frequency_hz = hz, .amplitude = amplitude}));
 }
 
 ForceHorizon horizon(const analytic::StickResponse& response, double duration) {
@@ -130,11 +129,8 @@ Scope scope(const data::Case& paper, const data::Case& damped, const ConvergedHi
     study.steady[i] = steady_force(problem, range.durations);
     study.slender[i] = slender_force(problem);
   });
-  for (const double amplitude : range.amplitudes) {
-    data::Case problem = at(paper, 25.0, amplitude);
-    problem.damping = damped.damping;
-    study.damped.push_back(damped_force(problem));
-  }
+  for (const double amplitude : range.amplitudes)
+    study.damped.push_back(damped_force(with(at(paper, 25.0, amplitude), damped.damping)));
   study.softer = softer_beam(paper, range.last_hz);
   study.late_slips = late_slips(converged.time, converged.tip);
   return study;

@@ -206,8 +206,7 @@ double first_stick_position(const data::Case& problem, const Settings& at) {
 // What the first slip leaves, against the boundary integral. There is no theory of its error.
 void add_first_sticks(const data::Case& paper, std::vector<Plan>& plans) {
   for (const auto& [panel, hz] : {std::pair{"5b", 25.0}, {"5c", 35.0}, {"5d", 70.0}}) {
-    data::Case problem = paper;
-    problem.excitation = data::HarmonicExcitation({.frequency_hz = hz, .amplitude = 1e-3});
+    const data::Case problem = with(paper, data::HarmonicExcitation({.frequency_hz = hz, .amplitude = 1e-3}));
     const ConvergedHistory reference = converged_history(problem, {.duration = first_stick_duration,
                                                                    .samples = 200,
                                                                    .steps_per_sample = 512,

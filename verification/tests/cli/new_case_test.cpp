@@ -232,7 +232,7 @@ TEST_F(RespondFigure, OfManyRowsHasTheExtremesOfEachColumn) {
           std::minmax_element(rows.begin() + static_cast<long>(first), rows.begin() + static_cast<long>(end),
                               [&](const auto& a, const auto& b) { return cell(a) < cell(b); });
       EXPECT_EQ(drawn[at][i], std::min(least, most)->at(i)) << rows[first][0];
-      if (is_pair) EXPECT_EQ(drawn[at + 1][i], std::max(least, most)->at(i)) << rows[first][0];
+      EXPECT_EQ(drawn[at + (is_pair ? 1 : 0)][i], std::max(least, most)->at(i)) << rows[first][0];
     }
     for (std::size_t k = 0; k < (is_pair ? 2u : 1u); ++k)
       EXPECT_EQ(drawn[at + k].back(), slips ? "slip" : "stick") << rows[first][0];

@@ -103,12 +103,8 @@ void expect_tolerance_below_a_third(const Diagnosed& diagnosed) {
 
 // Steps that damp what the mesh cannot resolve, as in the diagnosis.
 data::Case undamped_case(const char* name, double hz, double amplitude) {
-  data::Case problem = data::load_case(name);
-  problem.excitation = data::HarmonicExcitation({.frequency_hz = hz, .amplitude = amplitude});
-  return comparison::with_settings(problem, [hz](data::NumericalChoices& choices) {
-    choices.spectral_radius = 0.5;
-    choices.time_step = 1.0 / (1600.0 * hz);
-  });
+  return with_values(with(data::load_case(name), shaking(hz, amplitude)),
+                     {{"numerics.spectral_radius", 0.5}, {"numerics.time_step", 1.0 / (1600.0 * hz)}});
 }
 
 STICKSLIP_VERIFIES(ToleranceOf, "X20");
@@ -489,7 +485,7 @@ TEST(DiagnosisOfNumbers, HasTheNumberOfElementsOfAMeshWithLumpedMasses) {
   File file("stick-frequencies", "frequency");
   file.keep_first(6);
   file.values() =
-      comparison::wrong_result(comparison::with_elements(data::load_case("paper"), 33), "lumped-mass",
+      comparison::wrong_result(with_value(data::load_case("paper"), "numerics.elements", 33), "lumped-mass",
                                Quantity::stick_frequency, {1.0, 2.0, 3.0, 4.0, 5.0, 6.0})
           .value();
   EXPECT_TRUE(looks(file, "lumped masses on about 34 cubic elements"));
@@ -785,7 +781,7 @@ TEST(DiagnosisOfModels, TakesTheEventsOfTheDataSetAsTheTruth) {
 
 // The column of a data set over the first periods, with the effect of a mistake by a run on another mesh.
 File mistaken(const char* set, data::Case problem, const char* mistake, int periods) {
-  problem = comparison::with_elements(problem, 36);
+  problem = with_value(problem, "numerics.elements", 36);
   File file(set, "tip_displacement");
   const double end = periods / problem.excitation.frequency_hz();
   file.keep([&](std::size_t row) { return file["time"][row] <= end; });
@@ -830,7 +826,7 @@ TEST(DiagnosisOfModels, IsTheNumberThatIsWrongInAHistory) {
 
 // Between the times of the data set, too.
 TEST(DiagnosisOfModels, IsTheWidthOfASmoothLawOfFriction) {
-  const data::Case problem = comparison::with_elements(with_the_settings_of_the_paper("damped"), 24);
+  const data::Case problem = with_value(with_the_settings_of_the_paper("damped"), "numerics.elements", 24);
   File file("stick-slip-history", "tip_displacement");
   file.keep([&](std::size_t row) { return file["time"][row] <= 0.2; });
   for (double& time : file["time"]) time += 0.3e-4;

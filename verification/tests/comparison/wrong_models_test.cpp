@@ -61,11 +61,9 @@ data::Case strip_case(double duration) {
 }
 
 data::Case with_numerics(const data::Case& problem, int elements, double time_step, int modes = 10) {
-  return comparison::with_settings(problem, [=](data::NumericalChoices& choices) {
-    choices.elements = elements;
-    choices.time_step = time_step;
-    choices.modes = modes;
-  });
+  return with_values(
+      problem,
+      {{"numerics.elements", elements}, {"numerics.time_step", time_step}, {"numerics.modes", modes}});
 }
 
 // Stick-slip with a little Kelvin-Voigt damping, without which changes of contact do not converge.
@@ -477,8 +475,7 @@ TEST(WrongModel, HasTheInputsThatItsNameSays) {
 
 TEST(WrongModel, HasTheStepsThatItsNameSays) {
   // alpha_f = rho/(rho + 1) = 1/3 and alpha_m = (2 rho - 1)/(rho + 1) = 0; the load is taken at (1 - alpha_f) h.
-  const data::Case problem = comparison::with_settings(
-      paper_case(0.1), [](data::NumericalChoices& choices) { choices.spectral_radius = 0.5; });
+  const data::Case problem = with_value(paper_case(0.1), "numerics.spectral_radius", 0.5);
   for (const auto& [name, alpha_m, alpha_f, delay, ratio] :
        {std::tuple{"time-step-of-the-case", 0.0, 1.0 / 3.0, 2.0 / 3.0, 0.0},
         {"alpha-convention-swapped", 0.0, 2.0 / 3.0, 1.0 / 3.0, 0.0},
