@@ -28,9 +28,7 @@ std::vector<double> frequencies(double first, double last, double step) {
 
 std::vector<double> critical_amplitudes(const data::Beam& beam, const std::vector<double>& hz) {
   std::vector<double> amplitudes;
-  data::Case problem = paper();
-  problem.beam = beam;
-  for (const auto& point : studies::critical_amplitude_curve(problem, hz))
+  for (const auto& point : studies::critical_amplitude_curve(with(paper(), beam), hz))
     amplitudes.push_back(point.critical_amplitude);
   return amplitudes;
 }

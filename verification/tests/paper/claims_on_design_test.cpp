@@ -19,9 +19,8 @@ const data::Case& flat() {
 }
 
 bool slips(double length, double axial_force) {
-  data::Case problem = flat();
-  problem.beam = flat_beam(length, axial_force);
-  return studies::criterion_of(problem, 1e-3).verdict == analytic::Verdict::stick_slip;
+  return studies::criterion_of(with(flat(), flat_beam(length, axial_force)), 1e-3).verdict ==
+         analytic::Verdict::stick_slip;
 }
 
 double buckling_load(double length) { return analytic::stick_buckling_load(flat_beam(length, 0.0)); }

@@ -342,10 +342,8 @@ TEST(ClaimOnFigure2, TheFrictionForceJumpsAtZeroVelocity) {
 TEST(ClaimOnFigure2, TheDiscontinuityMakesNumericalDifficulties) {
   data::NumericalChoices choices = paper_choices(0.25);
   choices.elements = 10;
-  data::Case problem = paper_problem(25.0, 1e-3);
-  problem.numerics = data::NumericalSettings(choices);
-  problem.damping = light_damping();
-  const auto runs = studies::compare_schemes(problem);
+  const auto runs = studies::compare_schemes(
+      with(paper_problem(25.0, 1e-3), data::NumericalSettings(choices), light_damping()));
   const auto &located = runs.front(), &by_the_letter = runs.back();
   judge("fig2.numerical-difficulties",
         {.as_printed = 2 * by_the_letter.plateaus.size() < located.plateaus.size()},

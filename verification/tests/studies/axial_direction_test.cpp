@@ -413,8 +413,7 @@ TEST(ShearEffect, IsInTheWarningOfAThickBeam) {
   };
   const std::string sentence = thick_beam(studies::problem_warnings(thick, studies::Inquiry::criterion));
   EXPECT_TRUE(holds(sentence, studies::shear_effect(thick)));
-  data::Case sheared = thick;
-  sheared.beam = studies::with_shear(thick.beam);
+  const data::Case sheared = with(thick, studies::with_shear(thick.beam));
   const auto criterion = studies::criterion_of(sheared), slender = studies::criterion_of(thick);
   EXPECT_EQ(
       studies::shear_effect(thick),

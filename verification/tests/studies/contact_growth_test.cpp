@@ -22,11 +22,7 @@ constexpr double beam_bound = 4.0 * kappa / (10.0 * 2.0);  // 4 kappa/(rho A L) 
 // growth_bound() is from above, and to 1e-4.
 Tolerance searched(double expected) { return discretisation(1e-4 * expected, 1.01, "the search"); }
 
-data::Case paper_case() {
-  data::Case problem = data::load_case("paper");
-  problem.excitation = data::HarmonicExcitation({25.0, 1e-3});
-  return problem;
-}
+data::Case paper_case() { return with(data::load_case("paper"), data::HarmonicExcitation({25.0, 1e-3})); }
 
 solver::ContactSystem mesh_system(int elements) {
   return solver::beam_contact_system(solver::BeamModel(paper_beam(), elements), paper_friction(),

@@ -23,11 +23,7 @@ namespace {
 using studies::map_axis;
 using studies::MapMethod;
 
-data::Case flat_case_of(double duration) {
-  data::Case problem = flat_case();
-  problem.numerics = data::NumericalSettings(paper_choices(duration));
-  return problem;
-}
+data::Case flat_case_of(double duration) { return with_value(flat_case(), "excitation.duration", duration); }
 
 // The case of a cell.
 data::Case case_of(const data::Case& problem, const studies::MapAxis& x, const studies::MapAxis& y,
@@ -197,11 +193,9 @@ TEST(CriterionMap, ByFiniteElementsIsThatOfThePlainRun) {
   };
   for (const auto& [kelvin_voigt, duration, elements] :
        {Run{0.0, 0.05, 20}, {1e-5, 0.05, 20}, {0.0, 0.5, 4}}) {
-    data::Case problem = flat_case();
-    auto choices = paper_choices(duration);
-    choices.elements = elements;
-    problem.numerics = data::NumericalSettings(choices);
-    problem.damping = data::Damping({.kelvin_voigt = kelvin_voigt});
+    const data::Case problem = with_values(flat_case(), {{"excitation.duration", duration},
+                                                         {"numerics.elements", elements},
+                                                         {"damping.kelvin_voigt", kelvin_voigt}});
     const auto x = map_axis("excitation.frequency_hz", 20.0, 60.0, 3, false);
     const auto y = map_axis("beam.length", 0.8, 1.4, 2, false);
     const auto map =

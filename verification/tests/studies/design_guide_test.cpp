@@ -173,8 +173,7 @@ TEST(DesignScan, FindsAPeakBetweenTheValuesOfItsGrid) {
   // Over a few periods the peak is wide and stands beside the resonance; an amplitude of 0.05 % over what it
   // takes leaves a part of that width only.
   for (const double duration : {0.15, 0.2, 0.25, 0.3, 0.4}) {
-    data::Case problem = flat_case();
-    problem.numerics = data::NumericalSettings(paper_choices(duration));
+    const data::Case problem = with_value(flat_case(), "excitation.duration", duration);
     const auto critical_amplitude = [&](double length) {
       const data::Case there = with_value(problem, "beam.length", length);
       return 1e-3 * studies::band_margin(there, {25.0, 25.0}).margin.upper;
@@ -190,8 +189,7 @@ TEST(DesignScan, FindsAPeakBetweenTheValuesOfItsGrid) {
 }
 
 TEST(DesignScan, HoldsThroughoutABand) {
-  data::Case problem = flat_case();
-  problem.numerics = data::NumericalSettings(paper_choices(3.0));
+  const data::Case problem = with_value(flat_case(), "excitation.duration", 3.0);
   const FrequencyBand band{22.0, 27.0};
   const auto scan = studies::design_scan(problem, "beam.length", {0.7, 1.7}, band);
   expect_to_tile(scan, 0.7, 1.7);

@@ -179,10 +179,7 @@ data::Case problem_of(const Setting& setting) {
   choices.elements = setting.elements;
   choices.spectral_radius = setting.spectral_radius;
   choices.time_step = setting.time_step;
-  data::Case problem = paper_problem(25.0, 1e-3);
-  problem.numerics = data::NumericalSettings(choices);
-  problem.damping = setting.damping;
-  return problem;
+  return with(paper_problem(25.0, 1e-3), data::NumericalSettings(choices), setting.damping);
 }
 
 std::vector<SchemeRun> compare(const Setting& setting) {

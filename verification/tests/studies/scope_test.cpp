@@ -26,9 +26,7 @@ namespace {
 constexpr double half_millimetre = 0.5e-3;
 
 data::Case paper_at(double hz, double amplitude = half_millimetre) {
-  data::Case problem = paper();
-  problem.excitation = excitation(hz, amplitude);
-  return problem;
+  return with(paper(), excitation(hz, amplitude));
 }
 
 STICKSLIP_VERIFIES(SteadyForce, "X22");
@@ -58,8 +56,7 @@ TEST(SteadyForce, IsExceededByTheStartUpMoreTheLongerItLasts) {
 
 STICKSLIP_VERIFIES(DampedForce, "X22");
 TEST(DampedForce, IsThatOfTheMesh) {
-  data::Case problem = paper_at(25.0);
-  problem.damping = data::load_case("damped").damping;
+  const data::Case problem = with(paper_at(25.0), data::load_case("damped").damping);
   const auto force = studies::damped_force(problem);
   EXPECT_TRUE(within(force.ratio, 0.005, reference(5e-5, "the comment of damped.toml, one digit")));
   const auto error = [&](int elements) {
@@ -73,8 +70,7 @@ STICKSLIP_VERIFIES(SlenderForce, "X22");
 // the excitation, 24.72 Hz to 25 Hz; half a beat of 3.6 s is inside the duration, so that the largest |f| follows the distance.
 TEST(SlenderForce, NearResonanceIsThatOfAMeshWithShear) {
   const auto force = studies::slender_force(paper_at(25.0));
-  data::Case sheared = paper_at(25.0);
-  sheared.beam = studies::with_shear(sheared.beam);
+  const data::Case sheared = with(paper_at(25.0), studies::with_shear(paper().beam));
   constexpr int elements = 80;
   const double finite_element =
       solver::max_abs_friction_force(with_value(sheared, "numerics.elements", elements));
@@ -112,8 +108,7 @@ TEST(LateSlips, GoOnButMoveTheTipLittleByTwoFormulations) {
   const double filtering = studies::time_step_of({.angle = studies::filtering_angle}, paper().beam, 40);
   for (const auto& [elements, step, radius, duration, every] :
        {std::tuple{40, filtering, 0.0, 0.5, 1}, {20, 1e-4, 0.9, 10.0, 10}}) {
-    data::Case problem = paper();
-    problem.excitation = excitation(35.0, 1e-3);
+    const data::Case problem = paper_at(35.0, 1e-3);
     const auto history =
         studies::finite_element_history(studies::refined(problem, elements, step, duration, radius),
                                         {.every = every}, {.coordinates = solver::Coordinates::modal});

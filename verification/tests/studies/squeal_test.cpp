@@ -244,10 +244,9 @@ TEST(SteadySliding, DivergesWithARealRootOfTheCharacteristicEquation) {
 STICKSLIP_VERIFIES(MovingWallOfTheMesh, "W1");
 // Beside a base that moves, too, and with a friction that has its least value at 0.46 m/s.
 TEST(MovingWallOfTheMesh, HasTheChangesOfTheEventDrivenRun) {
-  data::Case problem = viscous_reed();
-  problem.excitation = shaking(250.0, 5e-5);
-  problem.friction = data::FrictionLaw(
+  const data::FrictionLaw friction(
       {.static_coefficient = 0.5, .kinetic_coefficient = 0.3, .decay = 5.0, .viscous = 0.1});
+  const data::Case problem = with(viscous_reed(), shaking(250.0, 5e-5), friction);
   const analytic::BeamContactModel model(problem, 24);
   const auto exact = studies::event_driven_history(model.model(), {0.01}).events;
   std::vector<double> errors;
