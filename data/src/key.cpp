@@ -182,7 +182,7 @@ Case with_values(const Case& problem, const std::vector<std::pair<std::string_vi
   CaseNumbers after = before;
   for (const auto& [path, value] : values) {
     const Key& key = key_named(path);
-    if (!has(before, key)) throw FieldError(path, value, "missing: the case has no section with it");
+    if (!has(before, key)) throw FieldError(path, value, "left out: the case has no [section] with it");
     key.member.set(after, value);
   }
   after.section.require_valid();

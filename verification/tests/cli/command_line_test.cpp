@@ -118,7 +118,7 @@ constexpr Refusal refusals[] = {
     {"map --x hight=15:35:3", "--x: PARAMETER is 'hight', but must be one of length, area, "},
     {"map --x hight=15:35:3", " (did you mean height?)"},
     {"map --x height=1e-3:2e-3:3",
-     "section.height is 0.001, but must be missing: the case has no section with it"},
+     "section.height is 0.001, but must be left out: the case has no [section] with it"},
     {"map --x length=-1:2:3", "--x: FROM is '-1', but must be a finite number above 0"},
     {"map --x length=0:2:3", "--x: FROM is '0', but must be a finite number above 0"},
     {"map --x length=nan:2:3", "--x: FROM is 'nan'"},

@@ -399,7 +399,7 @@ TEST_F(CaseShorthand, ForgetsASectionThatIsNotThatOfTheArea) {
     const data::Case changed = data::with_value(problem, key, 1e-6);
     EXPECT_EQ(data::value_of(changed, key), 1e-6);
     EXPECT_EQ(error_message_of([&] { (void)data::with_value(changed, "section.height", 1e-3); }),
-              "section.height is 0.001, but must be missing: the case has no section with it");
+              "section.height is 0.001, but must be left out: the case has no [section] with it");
   }
   const data::Case sheared = data::with_value(problem, "beam.shear_stiffness", 2e6);
   EXPECT_EQ(sheared.beam.shear_stiffness(), 2e6);
