@@ -235,13 +235,14 @@ WrongModelRecipe with_modes(const std::string& name, const std::string& count, s
 }
 
 WrongModelRecipe with_mesh_of(const std::string& name, const std::string& count, int elements) {
-  return {
-      .wrong_model = {name, "a mesh of " + count + " elements", "Sect. 2",
-                      natural_frequencies + held_motion + stick_slip},
-      .inputs = [elements](
-                    const data::Case& problem) { return with_value(problem, "numerics.elements", elements); },
-      .mesh = [](solver::ContactSystem&, const solver::BeamModel&) {},
-      .depends_on_mesh = true};
+  const auto meshed = [elements](const data::Case& problem) {
+    return with_value(problem, "numerics.elements", elements);
+  };
+  return {.wrong_model = {name, "a mesh of " + count + " elements", "Sect. 2",
+                          natural_frequencies + held_motion + stick_slip},
+          .inputs = meshed,
+          .mesh = [](solver::ContactSystem&, const solver::BeamModel&) {},
+          .depends_on_mesh = true};
 }
 
 using Recipes = std::vector<WrongModelRecipe>;

@@ -103,7 +103,7 @@ inline constexpr int reference_modes = 100;
 class PredictedForce {
  public:
   /// Predicts the free vibrations of the first `modes` modes: on the meshes of the studies, the frequencies of twenty are
-  /// predicted well enough. The phase of higher modes counts as unknown.
+  /// predicted well enough. The phase of higher modes counts as unknown. Without the damping of the case.
   explicit PredictedForce(const data::Case& problem, int modes = 20);
 
   /// Largest |f| over the time steps of the numerics from 0 to numerics.duration(), N.
