@@ -187,10 +187,8 @@ double max_abs_friction_force(const data::Case& problem, Coordinates coordinates
   const long steps = step_count(problem.numerics.duration(), problem.numerics.time_step());
   if (coordinates_of(problem, run) == Coordinates::modal)
     return ModalStickRun(problem.beam, problem.excitation, problem.numerics).max_abs_friction_force(steps);
-  data::Case held = problem;
-  held.friction = data::FrictionLaw({});
-  held.contact = {}, held.wall = {};
-  BeamSimulation simulation(held, run);
+  BeamSimulation simulation(with(problem, data::FrictionLaw({}), data::TangentialContact(), data::Wall()),
+                            run);
   double largest = std::abs(simulation.friction_force());
   for (long n = steps; n > 0; --n) {
     simulation.step();

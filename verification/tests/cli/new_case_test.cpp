@@ -209,11 +209,10 @@ TEST_F(RespondFigure, IsDrawnFromTheRowsAndTheLimit) {
 // they come. They slip if a row of the column does.
 TEST_F(RespondFigure, OfManyRowsHasTheExtremesOfEachColumn) {
   install_gnuplot("cat \"${folder}history.csv\" > $output\n");
-  ASSERT_EQ(run("respond paper --hz 70 --duration 0.02 --set numerics.time_step=2e-6 --every 1 --output "
-                "history.csv "
-                "--figure history.png")
-                .status,
-            0);
+  const Outcome outcome = run(
+      "respond paper --hz 70 --duration 0.02 --set numerics.time_step=2e-6 --every 1 --output history.csv "
+      "--figure history.png");
+  ASSERT_EQ(outcome.status, 0) << outcome.errors;
   const auto rows = csv(contents("history.csv")), drawn = csv(contents("history.png"));
   ASSERT_EQ(rows.size(), 10002u);
   const double width = 0.02 / 1000.0;
@@ -224,19 +223,18 @@ TEST_F(RespondFigure, OfManyRowsHasTheExtremesOfEachColumn) {
     for (end = first; end < rows.size() && column(end) == column(first); ++end)
       slips = slips || rows[end].back() == "slip";
     slipping += slips ? 1 : 0;
-    const bool is_pair = end > first + 1;
-    ASSERT_LT(at + (is_pair ? 1 : 0), drawn.size());
+    const std::size_t count = end > first + 1 ? 2 : 1;
+    ASSERT_LE(at + count, drawn.size());
     for (std::size_t i = 1; i + 1 < rows[0].size(); ++i) {
       const auto cell = [&](const auto& row) { return std::stod(row[i]); };
       const auto [least, most] =
           std::minmax_element(rows.begin() + static_cast<long>(first), rows.begin() + static_cast<long>(end),
                               [&](const auto& a, const auto& b) { return cell(a) < cell(b); });
       EXPECT_EQ(drawn[at][i], std::min(least, most)->at(i)) << rows[first][0];
-      EXPECT_EQ(drawn[at + (is_pair ? 1 : 0)][i], std::max(least, most)->at(i)) << rows[first][0];
+      EXPECT_EQ(drawn[at + count - 1][i], std::max(least, most)->at(i)) << rows[first][0];
     }
-    for (std::size_t k = 0; k < (is_pair ? 2u : 1u); ++k)
-      EXPECT_EQ(drawn[at + k].back(), slips ? "slip" : "stick") << rows[first][0];
-    at += is_pair ? 2 : 1;
+    for (std::size_t k = 0; k < count; ++k, ++at)
+      EXPECT_EQ(drawn[at].back(), slips ? "slip" : "stick") << rows[first][0];
   }
   EXPECT_EQ(at, drawn.size());
   EXPECT_GT(slipping, 100u);
