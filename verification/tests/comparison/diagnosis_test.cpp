@@ -108,7 +108,7 @@ data::Case undamped_case(const char* name, double hz, double amplitude) {
 }
 
 STICKSLIP_VERIFIES(ToleranceOf, "X20");
-TEST(ToleranceOf, ToleranceIsAThirdOfAListedMistake) {
+TEST(ToleranceOf, DataSetIsAThirdOfAListedMistake) {
   const data::Case paper = data::load_case("paper"), held = data::load_case("paper-figure9"),
                    // On 40 elements with 1e-5 s the same mistakes move the events by 2.6e-4 s or more.
       damped = with_the_settings_of_the_paper("damped");
@@ -537,7 +537,7 @@ TEST(DiagnosisOfNumbers, IsAShiftByUpToFiveOfSixRowsOrMoreThatLeavesThree) {
                   .ends_with("1 row further down"));
 }
 
-TEST(DiagnosisOfNumbers, NothingDiffersIsNoHypothesis) {
+TEST(DiagnosisOfNumbers, EqualValuesHaveNoHypothesis) {
   for (const Values& reference : {Values{3, 1, 4, 1, 5, 9, 2, 6}, Values(8, 2.0)})
     for (const std::size_t end : {0u, 7u}) {
       Values theirs = reference;

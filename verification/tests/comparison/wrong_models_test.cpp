@@ -422,7 +422,7 @@ TEST(WrongModel, OfHalfTheMotionHasHalfTheSteadyVibration) {
     for (std::size_t i = 0; i < half.size(); ++i)
       EXPECT_TRUE(within(half[i], factor * results.reference[i],
                          discretisation(1e-4 * std::abs(factor * results.reference[i]), 1.0, "mesh of 20")))
-          << comparison::name_of(quantity) << ' ' << half[i] / results.reference[i] / factor - 1.0;
+          << comparison::name_of(quantity);
   }
 }
 
