@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// Random cases over the range that a case file may state, as case files: a claim that fails prints the file. A case is drawn in
+/// dimensionless numbers, so that a plastic clip and a steel pipe are equally likely.
+
+#include <map>
+#include <string>
+
+#include "stickslip/data/case_file.hpp"
+#include "support/random_beams.hpp"
+
+namespace stickslip::testing {
+
+/// Which cases are drawn: ranges, and the share of the cases that have a feature.
+struct CaseDomain {
+  double lowest_force{0.001}, highest_force{0.99};  ///< P/P_cr, P_cr of the held tip
+  double lowest_load{0.3}, highest_load{5.0};       ///< amplitude over an estimate of the critical one
+  double shortest{1.0}, longest{12.0};              ///< duration over the period of the base
+  double lowest_frequency{0.05},
+      highest_frequency{5.0};  ///< over the first natural frequency of the held tip
+  double kelvin_voigt{0.4}, ratio{0.4};
+  double shear{0.0}, fixed_direction{0.4}, moving_wall{0.0}, yielding{0.0};
+  double jump{0.1}, viscous{0.2};
+  double resonant{0.0};  ///< next to the first natural frequency
+};
+
+/// The keys of a case with their values, as a file states them.
+class CaseText {
+ public:
+  void set(const std::string& key, const std::string& value) { values_[key] = value; }
+  void set(const std::string& key, double value) { set(key, data::shortest_text(value)); }
+  void erase(const std::string& key) { values_.erase(key); }
+  [[nodiscard]] bool has(const std::string& key) const { return values_.contains(key); }
+
+  [[nodiscard]] std::string text() const {
+    std::string lines, table;
+    for (const auto& [key, value] : values_) {
+      const std::string its_table = key.substr(0, key.find('.'));
+      if (its_table != table) lines += "[" + (table = its_table) + "]\n";
+      lines += key.substr(key.find('.') + 1) + " = " + value + "\n";
+    }
+    return lines;
+  }
+  /// Throws InputError.
+  [[nodiscard]] data::Case problem() const { return data::parse_case("random.toml", text()); }
+
+ private:
+  std::map<std::string, std::string> values_;
+};
+
+inline CaseText random_case(RandomNumbers& numbers, const CaseDomain& domain) {
+  const auto happens = [&numbers](double share) { return numbers.uniform(0.0, 1.0) < share; };
+  CaseText text;
+  const double modulus = numbers.log_uniform(1e7, 210e9), density = numbers.log_uniform(900.0, 8000.0);
+  const double length = numbers.log_uniform(0.05, 5.0), height = length / numbers.log_uniform(25.0, 300.0);
+  const double width = height * numbers.log_uniform(0.5, 20.0),
+               share = numbers.log_uniform(domain.lowest_force, domain.highest_force);
+  const double rigidity = modulus * width * height * height * height / 12.0;
+  const double force = share * buckling_factor * rigidity / (length * length);
+  text.set("section.shape", "\"rectangle\"");
+  text.set("section.width", width);
+  text.set("section.height", height);
+  text.set("beam.length", length);
+  text.set("beam.density", density);
+  text.set("beam.youngs_modulus", modulus);
+  text.set("beam.axial_force", force);
+  if (happens(domain.fixed_direction))
+    text.set("beam.axial_direction", happens(0.5) ? 1.0 : numbers.uniform(0.0, 1.0));
+  if (happens(domain.shear)) text.set("beam.poissons_ratio", numbers.uniform(-0.3, 0.49));
+
+  // 15.42 rad: (3.927)² of the first mode of the held tip, which P lowers.
+  const double first =
+      15.42 * std::sqrt(rigidity / (density * width * height)) / (length * length) * std::sqrt(1.0 - share);
+  const double relative = happens(domain.resonant)
+                              ? 1.0 + 1e-3 * numbers.uniform(-1.0, 1.0)
+                              : numbers.log_uniform(domain.lowest_frequency, domain.highest_frequency);
+  const double omega = relative * first, period = 2.0 * std::numbers::pi / omega;
+  const double mu = numbers.uniform(0.1, 1.0);
+  // The static reaction and its amplification by the first mode, of the steady vibration and of the start.
+  const double holding = 3.0 * rigidity / (length * length * length) * (1.0 - share);
+  const double amplification =
+      1.0 + relative * (1.0 + relative) / std::max(std::abs(1.0 - relative * relative), 0.02);
+  const double amplitude =
+      mu * force / (holding * amplification) * numbers.log_uniform(domain.lowest_load, domain.highest_load);
+  const double speed = amplitude * omega;
+  text.set("excitation.frequency_hz", 1.0 / period);
+  text.set("excitation.amplitude", amplitude);
+  text.set("excitation.duration", period * numbers.log_uniform(domain.shortest, domain.longest));
+
+  text.set("friction.static_coefficient", mu);
+  text.set("friction.kinetic_coefficient", mu * numbers.uniform(0.2, 1.0));
+  if (!happens(domain.jump)) text.set("friction.decay", numbers.log_uniform(0.1, 3.0) / speed);
+  if (happens(domain.viscous)) text.set("friction.viscous", numbers.log_uniform(0.01, 0.3) * mu / speed);
+  if (happens(domain.kelvin_voigt))
+    text.set("damping.kelvin_voigt", 2.0 * numbers.log_uniform(1e-4, 0.1) / first);
+  if (happens(domain.ratio)) text.set("damping.ratio", numbers.log_uniform(1e-4, 0.1));
+  if (happens(domain.moving_wall)) text.set("wall.speed", speed * numbers.uniform(-1.5, 1.5));
+  if (happens(domain.yielding)) {
+    if (text.erase("friction.viscous"), happens(0.5))
+      text.set("contact.tangential_stiffness", holding * numbers.log_uniform(3.0, 1e3));
+    else
+      text.set("contact.regularisation_velocity", speed * numbers.log_uniform(1e-3, 0.1));
+    if (!text.has("friction.decay")) text.set("friction.decay", 1.0 / speed);
+  }
+  return text;
+}
+
+/// Calls claim(text, numbers) for `count` random cases from the seed on, each with random numbers of its own.
+template <typename Claim>
+void on_random_cases(int count, const CaseDomain& domain, Claim&& claim, std::uint64_t first_seed = 1) {
+  for (std::uint64_t seed = first_seed; seed < first_seed + static_cast<std::uint64_t>(count); ++seed) {
+    RandomNumbers numbers(seed);
+    const CaseText text = random_case(numbers, domain);
+    SCOPED_TRACE("seed " + std::to_string(seed) + ", save it as random.toml:\n" + text.text());
+    claim(text, numbers);
+    if (::testing::Test::HasFatalFailure()) return;
+  }
+}
+
+}  // namespace stickslip::testing
