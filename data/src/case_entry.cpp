@@ -2,6 +2,7 @@
 #include "case_entry.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -28,6 +29,11 @@ Entry entry_of(const std::string& text, const std::string& place) {
     const toml::table parsed = toml::parse("value = " + text);
     return entry_of(*parsed.get("value"), place);
   } catch (const toml::parse_error&) {
+    std::int64_t integer{};
+    const auto* const end = text.data() + text.size();
+    if (const auto read = std::from_chars(text.data(), end, integer);
+        read.ec == std::errc{} && read.ptr == end)
+      return {integer, text, place};                                             // 010
     if (const auto number = finite_number(text)) return {*number, text, place};  // .5
     return {text, printable(text), place};  // a shell takes the quotes of "1.5 mm" away
   }

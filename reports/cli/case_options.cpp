@@ -22,7 +22,7 @@ void add_case_options(CLI::App& command, CaseOptions& options) {
       .add_option_function<int>(
           "--digits", [](const int& digits) { set_most_digits(digits); },
           "Significant digits in the text at most (default: 6; --json has all of them)")
-      ->check(integer_between(1, 17));
+      ->transform(integer_between(1, 17));
 }
 
 CLI::Option* add_key_option(CLI::App& command, CaseOptions& options, const std::string& name,

@@ -66,9 +66,11 @@ std::string is_not(const std::string& text, std::string_view allowed) {
 }  // namespace
 
 CLI::Validator integer_between(long lowest, long highest) {
-  const auto check = [lowest, highest](const std::string& text) -> std::string {
+  const auto check = [lowest, highest](std::string& text) -> std::string {
     const auto value = parse<long>(text);
-    if (value && lowest <= *value && *value <= highest) return "";
+    const bool is_in = value && lowest <= *value && *value <= highest;
+    if (is_in) text = std::to_string(*value);  // CLI11 reads 010 as 8
+    if (is_in) return "";
     return is_not(text, fmt::format("an integer from {} to {}", lowest, highest));
   };
   return {check, fmt::format("{} ... {}", lowest, highest)};
@@ -139,7 +141,7 @@ void add_threads_option(CLI::App& command) {
       .add_option_function<unsigned>(
           "--threads", [](const unsigned& count) { studies::set_thread_count(count); },
           "Threads to work on, of which no result depends (default: as many as the machine runs at once)")
-      ->check(integer_between(1, 1024));
+      ->transform(integer_between(1, 1024));
 }
 
 void add_figure_option(CLI::App& command, std::string& figure, const std::string& what) {

@@ -76,8 +76,8 @@ template <class Number>
 }
 
 /// Accept integers from lowest to highest, numbers and finite times of 0 or more, one of some names, the name of a file, or a
-/// folder that exists: so that an error message says what is allowed. number() and time() take a unit as a case file does, and as a
-/// transform of the option hand on the number in SI units.
+/// folder that exists: so that an error message says what is allowed. As a transform of the option integer_between() hands on decimal
+/// digits without leading zeros, number() and time(), which take a unit as a case file does, the number in SI units.
 [[nodiscard]] CLI::Validator integer_between(long lowest, long highest);
 [[nodiscard]] CLI::Validator number(const std::string& unit = "", bool is_time = false);
 [[nodiscard]] CLI::Validator time();
@@ -94,7 +94,7 @@ template <class Integer>
 CLI::Option* add_integer_option(CLI::App& command, const std::string& name, Integer& value, long lowest,
                                 long highest, const std::string& help) {
   return command.add_option(name, value, help)
-      ->check(integer_between(lowest, highest))
+      ->transform(integer_between(lowest, highest))
       ->capture_default_str();
 }
 

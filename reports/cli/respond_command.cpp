@@ -111,7 +111,7 @@ void add_options(CLI::App& command, RespondOptions& options) {
           .add_option("--every", options.history.every,
                       "Write every N-th time step (default: as few as leave 100 rows in a period of "
                       "the base, 20 in one of the first natural frequency and 2000 in all)")
-          ->check(integer_between(1, 1'000'000'000));
+          ->transform(integer_between(1, 1'000'000'000));
   command.add_option("--rate", options.history.rate, "Write at least so many rows a second")
       ->transform(number("Hz"))
       ->excludes(every);

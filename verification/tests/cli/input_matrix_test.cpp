@@ -4,12 +4,9 @@
 /// Every defect is refused in one sentence, and nothing is written, but for the exceptions listed below; what
 /// these accept gives finite numbers.
 
-#include <fcntl.h>
 #include <fnmatch.h>
-#include <unistd.h>
 
 #include <cstdio>
-#include <iostream>
 
 #include "comparison/diagnosis/diagnosis.hpp"
 #include "program.hpp"
@@ -850,28 +847,6 @@ class OptionInput : public Drawing {
   }
 
  private:
-  // Without another process, which costs more than most of these runs.
-  [[nodiscard]] Outcome run_here(const std::vector<std::string>& words) const {
-    std::vector<const char*> arguments{"stickslip"};
-    for (const std::string& word : words) arguments.push_back(word.c_str());
-    std::fflush(nullptr);  // what GoogleTest has said is not the program's
-    const int streams[] = {::dup(STDOUT_FILENO), ::dup(STDERR_FILENO)};
-    for (const int stream : {STDOUT_FILENO, STDERR_FILENO}) {
-      const int file = ::open(path(stream == STDOUT_FILENO ? "stdout" : "stderr").c_str(),
-                              O_WRONLY | O_CREAT | O_TRUNC, 0644);
-      ::dup2(file, stream);
-      ::close(file);
-    }
-    const int status = cli::run_program(static_cast<int>(arguments.size()), arguments.data());
-    std::cout.flush();
-    std::fflush(nullptr);
-    for (const int stream : {STDOUT_FILENO, STDERR_FILENO}) {
-      ::dup2(streams[stream - STDOUT_FILENO], stream);
-      ::close(streams[stream - STDOUT_FILENO]);
-    }
-    return {status, contents(path("stdout")), contents(path("stderr"))};
-  }
-
   void try_one(const BadInput& row, const std::vector<std::string>& words,
                std::vector<std::string> before) const {
     const Outcome outcome = run_here(words);
@@ -961,6 +936,26 @@ TEST_F(OptionInput, BelongToTheSubcommandsThatAreTried) {
     below = below || line.starts_with("Subcommands");
   }
   EXPECT_EQ(listed_names, names);
+}
+
+TEST_F(OptionInput, WholeNumbersAreDecimal) {
+  int tried = 0;
+  for (const Command& command : commands()) {
+    auto lines = help(command.words());
+    for (std::string line, name; std::getline(lines, line);) {
+      if (line.find("INT:") == std::string::npos) continue;
+      std::istringstream(line) >> name;
+      const auto taken = [&](const char* value) {
+        return run_here(arguments(command, {name, true}, "", value));
+      };
+      const Outcome padded = taken("08"), plain = taken("8");
+      EXPECT_EQ(padded.errors, plain.errors) << command.name << " " << name;
+      EXPECT_EQ(padded.output, plain.output) << command.name << " " << name;
+      if (plain.status == 0) ++tried;
+    }
+  }
+  EXPECT_GT(tried, 20);
+  EXPECT_EQ(data::load_case("paper", {data::Override::parse("numerics.modes=010")}).numerics.modes(), 10);
 }
 
 // --- The exceptions

@@ -3,12 +3,19 @@
 
 /// The command line, run as a program. STICKSLIP_PROGRAM is its path.
 
+#include <fcntl.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
+#include <iostream>
 #include <nlohmann/json.hpp>
 
 #include "stickslip/data/atomic_file.hpp"
 #include "support/testing.hpp"
+
+namespace stickslip::cli {
+int run_program(int argc, const char* const* argv);  // of program.hpp, which not every test has
+}
 
 namespace stickslip::testing {
 
@@ -33,6 +40,28 @@ class CommandLine : public ::testing::Test {
   /// Runs `stickslip <arguments>` through the shell.
   [[nodiscard]] Outcome run(const std::string& arguments) const {
     return shell(fmt::format("'{}' {}", STICKSLIP_PROGRAM, arguments));
+  }
+
+  /// Runs `stickslip` with these words in this process: another one costs more than most runs.
+  [[nodiscard]] Outcome run_here(const std::vector<std::string>& words) const {
+    std::vector<const char*> arguments{"stickslip"};
+    for (const std::string& word : words) arguments.push_back(word.c_str());
+    std::fflush(nullptr);  // what GoogleTest has said is not the program's
+    const int streams[] = {::dup(STDOUT_FILENO), ::dup(STDERR_FILENO)};
+    for (const int stream : {STDOUT_FILENO, STDERR_FILENO}) {
+      const int file = ::open(path(stream == STDOUT_FILENO ? "stdout" : "stderr").c_str(),
+                              O_WRONLY | O_CREAT | O_TRUNC, 0644);
+      ::dup2(file, stream);
+      ::close(file);
+    }
+    const int status = cli::run_program(static_cast<int>(arguments.size()), arguments.data());
+    std::cout.flush();
+    std::fflush(nullptr);
+    for (const int stream : {STDOUT_FILENO, STDERR_FILENO}) {
+      ::dup2(streams[stream - STDOUT_FILENO], stream);
+      ::close(streams[stream - STDOUT_FILENO]);
+    }
+    return {status, contents(path("stdout")), contents(path("stderr"))};
   }
 
   /// Runs any command through the shell.
