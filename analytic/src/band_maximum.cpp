@@ -47,6 +47,7 @@ void BandMaximum::divide(const FrequencyBand& band, const std::vector<double>& n
           "finite and not below band.from_hz");
   require_positive("excitation.duration", duration_);
   const double from = best_omega_ = kTwoPi * band.from_hz, to = kTwoPi * band.to_hz;
+  order_ = static_cast<double>(band.held);
   marks_.push_back(from);
   for (const double omega : natural)
     if (from < omega && omega < to) marks_.push_back(omega);
@@ -54,9 +55,11 @@ void BandMaximum::divide(const FrequencyBand& band, const std::vector<double>& n
   for (std::size_t i = 1; i < marks_.size(); ++i) add(marks_[i - 1], marks_[i]);
 }
 
-// A frequency, and what is known of the largest |f| there.
+double BandMaximum::weight(double omega) const { return std::pow(marks_.front() / omega, order_); }
+
+// A frequency, and what is known of the largest w |f| there.
 struct BandMaximum::Decided {
-  double omega{};                     // rad/s
+  double omega{}, weight{};           // rad/s
   std::optional<ForceMaximum> force;  // nothing where `known` is all there is to know
   Bounds known{0.0, std::numeric_limits<double>::infinity()};
   /// Bounds that are found on the way to the answer are kept, up to an upper one of `enough`.
@@ -64,21 +67,23 @@ struct BandMaximum::Decided {
 };
 
 BandMaximum::Decided BandMaximum::force_at(double omega, double damped_width) const {
+  const double w = weight(omega);
   if (!damped_) {
-    Decided undamped{.omega = omega, .force = ForceMaximum(reaction_, omega, duration_)};
-    undamped.known.upper = undamped.force->upper_bound();
+    Decided undamped{.omega = omega, .weight = w, .force = ForceMaximum(reaction_, omega, duration_)};
+    undamped.known.upper = w * undamped.force->upper_bound();
     return undamped;
   }
   const DampedForce force(*damped_, omega, duration_ * marks_.back() / omega);
   if (part_ == DampedForcePart::start_up)
-    return {.omega = omega, .force = {}, .known = force.refined_to(damped_width)};
-  return {.omega = omega, .force = {}, .known = {force.steady_amplitude(), force.steady_amplitude()}};
+    return {.omega = omega, .weight = w, .force = {}, .known = w * force.refined_to(damped_width)};
+  const double steady = w * force.steady_amplitude();
+  return {.omega = omega, .weight = w, .force = {}, .known = {steady, steady}};
 }
 
 bool BandMaximum::Decided::exceeds(double limit, double enough) {
   for (const double width : kWidthsOfAnAnswer) {
     if (limit < known.lower || limit >= known.upper || !force) break;
-    const Bounds found = force->refined_to(width, enough, limit);
+    const Bounds found = weight * force->refined_to(width, enough / weight, limit / weight);
     known.lower = std::max(known.lower, found.lower);
     if (found.lower <= limit) known.upper = std::min(known.upper, found.upper);
     enough = limit;
@@ -111,7 +116,8 @@ bool BandMaximum::rises_above(Decided& from, Decided& to, double limit) const {
   constexpr double undecided = 1e-4;
   const Suprema most = between(from.omega, to.omega);
   if (most.force <= limit) return false;
-  const double width = to.omega - from.omega, excess = width * width / 8.0 * most.curvature;
+  const double width = to.omega - from.omega, fall = from.weight / to.weight - 1.0;
+  const double excess = width * width / 8.0 * most.curvature + 0.25 * fall * std::min(limit, to.known.upper);
   const double enough = limit - excess;
   if (enough > 0.0 && !from.exceeds(enough, enough) && !to.exceeds(enough, enough)) return false;
   if (excess <= undecided * limit) return true;
@@ -165,9 +171,11 @@ void BandMaximum::sharpen(const Interval& interval, double limit, double relativ
     return;
   }
   const double excess = (to - from) * (to - from) / 8.0 * between(from, to).curvature;
-  const double upper = std::max(upper_value(from, excess, limit, relative_width),
-                                upper_value(to, excess, limit, relative_width)) +
-                       excess;
+  const double first = upper_value(from, excess, limit, relative_width),
+               second = upper_value(to, excess, limit, relative_width);
+  double upper = std::max(first, second) + excess;
+  if (const double w1 = weight(from), w2 = weight(to); w1 > w2 && std::isfinite(upper))
+    upper += 0.25 * (w1 - w2) * std::max(0.0, second / w2 - first / w1);
   intervals_.push({from, to, true, std::min(interval.upper, upper)});
 }
 
@@ -185,7 +193,9 @@ double BandMaximum::upper_value(double omega, double excess, double limit, doubl
     return known->second.upper;
   const Decided at = force_at(omega, std::max(kWidthOfADampedValue, width));
   const Bounds value =
-      at.force ? at.force->refined_to(width, enough, std::isnan(limit) ? infinity : limit) : at.known;
+      at.force ? at.weight * at.force->refined_to(width, enough / at.weight,
+                                                  std::isnan(limit) ? infinity : limit / at.weight)
+               : at.known;
   if (value.lower > lower_) {
     lower_ = value.lower;
     best_omega_ = omega;
@@ -196,7 +206,11 @@ double BandMaximum::upper_value(double omega, double excess, double limit, doubl
 }
 
 BandMaximum::Suprema BandMaximum::between(double from, double to) const {
-  if (damped_) return damped_between(from, to);
+  const Suprema most = damped_ ? damped_between(from, to) : undamped_between(from, to);
+  return {weight(from) * most.force, weight(from) * most.curvature};
+}
+
+BandMaximum::Suprema BandMaximum::undamped_between(double from, double to) const {
   const double t = duration_, a = from, b = to, middle = 0.5 * (a + b);
   double steady = reaction_.quasi_static;        // amplitude at Ω in the middle, of the modes apart
   double steady_slope = 0.0, steady_bend = 0.0;  // sums of |c p'| and |c p''|

@@ -90,14 +90,23 @@ void require_known_key(const std::string& path, const Entry& entry) {
   if (std::ranges::find(known, path) == known.end()) throw_unknown_key(entry.place, path, entry.description);
 }
 
+// The key that the entry is one of where it stands at `path`.
+std::string stated_by(const std::string& path, const Entry& entry) {
+  const auto* text = std::get_if<std::string>(&entry.value);
+  return text == nullptr ? path : std::string(key_stated(path, *text).path);
+}
+
 void collect_table(const std::filesystem::path& file, const std::string& name, const toml::table& table,
                    Entries& entries, Mistakes& mistakes) {
   for (const auto& [key, value] : table)
     mistakes.collect([&, &key = key, &value = value] {
       const std::string path = name + "." + std::string(key.str());
-      Entry entry = entry_of(value, place_of(file, value));
+      const Entry entry = entry_of(value, place_of(file, value));
       require_known_key(path, entry);
-      entries.insert_or_assign(path, std::move(entry));
+      const std::string stated = stated_by(path, entry);
+      if (!entries.emplace(stated, entry).second)
+        throw InputError(entry.place + ": " + path + " is " + entry.description +
+                         ", but must be missing where " + stated + " is given");
     });
 }
 
@@ -142,8 +151,9 @@ void apply(const Override& replacement, Entries& entries) {
                                 : replacement.place;
   Entry entry = entry_of(replacement.value, place);
   require_known_key(replacement.key, entry);
-  erase_alternatives(replacement.key, entries);
-  entries.insert_or_assign(replacement.key, std::move(entry));
+  const std::string stated = stated_by(replacement.key, entry);
+  erase_alternatives(stated, entries);
+  entries.insert_or_assign(stated, std::move(entry));
 }
 
 // How a missing key could have been given otherwise.
@@ -179,7 +189,8 @@ class NumbersReader {
     fill(false);
     while (collect([&] {
       (void)Beam(numbers_.beam), (void)FrictionLaw(numbers_.friction),
-          (void)HarmonicExcitation(numbers_.excitation);
+          require_magnitude(amplitude_keys.front(), key_named(amplitude_keys.front()).magnitudes,
+                            HarmonicExcitation(numbers_.excitation).amplitude());
       (void)Damping(numbers_.damping), (void)TangentialContact(numbers_.contact),
           (void)Wall(numbers_.wall_speed);
     })) {
@@ -210,13 +221,16 @@ class NumbersReader {
       if (is_mended) key->member.set(numbers_, allowed(*key));
       if (error.field() == "friction.static_coefficient")
         numbers_.friction.kinetic_coefficient = 0.0;  // its bound
-      const auto given = entries_.find(error.field());
+      const auto given = std::ranges::find_if(
+          entries_, [&](const auto& entry) { return state_the_same(entry.first, error.field()); });
       return given == entries_.end() ? file_.string() : given->second.place;
     });
     return is_mended;
   }
 
   void fill(bool numerics) {
+    const bool states_amplitude = std::ranges::any_of(
+        amplitude_keys, [&](std::string_view key) { return entries_.contains(std::string(key)); });
     for (const Key& key : case_keys()) {
       if (key.presence == Presence::shorthand || (key.table() == "numerics") != numerics) continue;
       const std::string path(key.path);
@@ -227,12 +241,9 @@ class NumbersReader {
           key.member.set(numbers_, key.member.is_integer ? integer_of(path, found->second)
                                                          : number_of(path, key.magnitudes, found->second));
         });
-      else if (key.presence == Presence::required) {
+      else if (key.presence == Presence::required || (path == amplitude_keys.front() && !states_amplitude)) {
         key.member.set(numbers_, allowed(key));
-        const bool is_implied =
-            path == "excitation.amplitude" && (entries_.contains("excitation.velocity_amplitude") ||
-                                               entries_.contains("excitation.acceleration_amplitude"));
-        if (misses_keys_ && !is_implied)
+        if (misses_keys_)
           collect([&] {
             throw InputError(file_.string() + ": " + path + " is missing, but a case must hold it" +
                              alternative_to(key));

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
-#include <span>
 #include <vector>
 
 #include "case_entry.hpp"
@@ -15,9 +12,6 @@
 namespace stickslip::data {
 
 namespace {
-
-constexpr std::array<std::string_view, 3> amplitudes{"excitation.amplitude", "excitation.velocity_amplitude",
-                                                     "excitation.acceleration_amplitude"};
 
 const Entry* find(const Entries& entries, std::string_view key) {
   const auto found = entries.find(std::string(key));
@@ -118,20 +112,20 @@ void expand_material(Entries& entries) {
   supply(entries, "beam.youngs_modulus", material.youngs_modulus, "beam.material");
 }
 
-// h = A0 sin(Omega t) has the velocity amplitude A0 Omega and the acceleration amplitude A0 Omega^2.
+// One amplitude is given; that of a distribution gives way.
 void expand_amplitude(Entries& entries) {
-  for (std::size_t order = 1; order < amplitudes.size(); ++order) {
-    const std::string_view key = amplitudes.at(order);
-    const Entry* given = find(entries, key);
-    const Entry* hz = find(entries, "excitation.frequency_hz");
-    if (given == nullptr || hz == nullptr) continue;  // without a frequency: that is what is missing
-    const double value = number_at(key, *given);
-    if (!(value >= 0.0) || !std::isfinite(value))
-      throw FieldError(key, value,
-                       "a finite number of 0 or more (" + std::string(key_named(key).magnitudes.unit) + ")");
-    const double omega = 2.0 * std::numbers::pi * number_of("excitation.frequency_hz", {.unit = "Hz"}, *hz);
-    supply(entries, "excitation.amplitude", value / std::pow(omega, static_cast<double>(order)), key);
+  const Entry* given = nullptr;
+  std::string_view given_key;
+  for (const std::string_view key : amplitude_keys) {
+    const Entry* entry = find(entries, key);
+    if (entry == nullptr || entry->is_mean) continue;
+    if (given != nullptr)
+      throw InputError(given->place + ": " + std::string(given_key) + " is " + given->description +
+                       ", but must be missing where " + std::string(key) + " is given");
+    given = entry;
+    given_key = key;
   }
+  if (given != nullptr) erase_alternatives(given_key, entries);
 }
 
 // Where cases of version 0.1 have it.
@@ -154,14 +148,8 @@ void expand_friction(Entries& entries) {
 }  // namespace
 
 void erase_alternatives(std::string_view key, Entries& entries) {
-  constexpr std::array<std::string_view, 2> durations{"excitation.duration", "numerics.duration"};
-  constexpr std::array<std::string_view, 2> shears{"beam.shear_stiffness", "beam.poissons_ratio"};
-  for (const std::span<const std::string_view> group :
-       {std::span<const std::string_view>(amplitudes), std::span<const std::string_view>(durations),
-        std::span<const std::string_view>(shears)})
-    if (std::ranges::find(group, key) != group.end())
-      for (const std::string_view other : group)
-        if (other != key) entries.erase(std::string(other));
+  std::erase_if(entries,
+                [key](const auto& entry) { return entry.first != key && state_the_same(entry.first, key); });
 }
 
 void expand_shorthand(Entries& entries) {

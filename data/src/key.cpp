@@ -6,6 +6,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "stickslip/data/units.hpp"
+
 namespace stickslip::data {
 
 namespace {
@@ -37,8 +39,16 @@ constexpr KeyMember section = member<&CaseNumbers::section, Field>();
 constexpr KeyMember wall_speed{.get = [](const CaseNumbers& of) { return of.wall_speed; },
                                .set = [](CaseNumbers& of, double value) { of.wall_speed = value; }};
 constexpr KeyMember none{};
+template <AmplitudeOf Kind>
+constexpr KeyMember amplitude{
+    .get = [](const CaseNumbers& of) { return HarmonicExcitation(of.excitation).stated_as(Kind).amplitude; },
+    .set =
+        [](CaseNumbers& of, double value) {
+          of.excitation = {of.excitation.frequency_hz, value, Kind};
+        }};
 
-constexpr auto optional = Presence::optional, required = Presence::required, shorthand = Presence::shorthand;
+constexpr auto optional = Presence::optional, required = Presence::required, shorthand = Presence::shorthand,
+               alternative = Presence::alternative;
 constexpr bool may_be_zero = true;
 
 // A further parameter is one more entry here.
@@ -73,11 +83,14 @@ constexpr std::array all{
         {"viscous", "viscous_s_per_m", "viscous friction β / (s/m)", 1.0, may_be_zero}},
     Key{"excitation.frequency_hz", excitation<&HarmonicMotion::frequency_hz>, {1e-9, 1e12, "Hz"}, required,
         {"frequency", "frequency_Hz", "excitation frequency / Hz"}},
-    Key{"excitation.amplitude", excitation<&HarmonicMotion::amplitude>, {1e-18, 1e6, "m"}, required,
+    Key{"excitation.amplitude", amplitude<AmplitudeOf::displacement>, {1e-18, 1e6, "m"}, alternative,
         {"amplitude", "amplitude_m", "excitation amplitude A_0 / mm", 1e3, may_be_zero}},
+    Key{"excitation.velocity_amplitude", amplitude<AmplitudeOf::velocity>, {1e-18, 1e18, "m/s"}, alternative,
+        {"velocity", "velocity_amplitude_m_per_s", "velocity amplitude of the base / m/s", 1.0, may_be_zero}},
+    Key{"excitation.acceleration_amplitude", amplitude<AmplitudeOf::acceleration>, {1e-18, 1e18, "m/s^2"},
+        alternative, {"acceleration", "acceleration_amplitude_m_per_s2", "acceleration amplitude of the base / g",
+        1.0 / 9.80665, may_be_zero}},
     Key{"excitation.duration", numerics<&NumericalChoices::duration>, {1e-15, 1e15, "s"}, optional},
-    Key{"excitation.velocity_amplitude", none, {1e-18, 1e18, "m/s"}, shorthand},
-    Key{"excitation.acceleration_amplitude", none, {1e-18, 1e18, "m/s^2"}, shorthand},
     Key{"numerics.elements", numerics<&NumericalChoices::elements>, {}, optional},
     Key{"numerics.time_step", numerics<&NumericalChoices::time_step>, {1e-15, 1e9, "s"}, optional},
     Key{"numerics.spectral_radius", numerics<&NumericalChoices::spectral_radius>, {}, optional},
@@ -111,7 +124,7 @@ constexpr std::array all{
 CaseNumbers numbers_in(const Case& problem) {
   return {.beam = problem.beam.properties(),
           .friction = problem.friction.coefficients(),
-          .excitation = {problem.excitation.frequency_hz(), problem.excitation.amplitude()},
+          .excitation = problem.excitation.motion(),
           .numerics = problem.numerics.choices(),
           .damping = {problem.damping.kelvin_voigt(), problem.damping.ratio()},
           .contact = problem.contact.properties(),
@@ -132,6 +145,26 @@ double shear_area(const Section& section) {
 }
 
 }  // namespace
+
+bool state_the_same(std::string_view path, std::string_view other) {
+  constexpr std::array<std::string_view, 2> durations{"excitation.duration", "numerics.duration"},
+      shears{"beam.shear_stiffness", "beam.poissons_ratio"};
+  const auto are_both_in = [&](std::span<const std::string_view> keys) {
+    return std::ranges::find(keys, path) != keys.end() && std::ranges::find(keys, other) != keys.end();
+  };
+  return path == other || are_both_in(amplitude_keys) || are_both_in(durations) || are_both_in(shears);
+}
+
+const Key& key_stated(std::string_view path, std::string_view text) {
+  if (path == amplitude_keys.front())
+    for (const std::string_view other : amplitude_keys)
+      if (quantity_in(text, key_named(other).magnitudes.unit, false)) return key_named(other);
+  return key_named(path);
+}
+
+const Key& stated_amplitude(const HarmonicExcitation& excitation) {
+  return key_named(amplitude_keys.at(static_cast<std::size_t>(excitation.motion().amplitude_of)));
+}
 
 std::span<const Key> case_keys() { return key_table::all; }
 
@@ -157,7 +190,9 @@ std::map<std::string, double> numbers_of(const Case& problem) {
   const CaseNumbers all = numbers_in(problem);
   std::map<std::string, double> numbers;
   for (const Key& key : key_table::all)
-    if (has(all, key)) numbers.emplace(key.path, key.member.get(all));
+    if (has(all, key) &&
+        (key.presence != Presence::alternative || &key == &stated_amplitude(problem.excitation)))
+      numbers.emplace(key.path, key.member.get(all));
   return numbers;
 }
 
@@ -165,7 +200,8 @@ Case case_with(const std::string& name, const std::map<std::string, double>& num
   CaseNumbers all;
   for (const Key& key : key_table::all) {
     const std::string path(key.path);
-    if (has(all, key) || numbers.contains(path)) key.member.set(all, numbers.at(path));
+    const bool must_be_there = key.presence != Presence::alternative && has(all, key);
+    if (must_be_there || numbers.contains(path)) key.member.set(all, numbers.at(path));
   }
   return case_of(name, all);
 }
@@ -182,7 +218,9 @@ Case with_values(const Case& problem, const std::vector<std::pair<std::string_vi
   CaseNumbers after = before;
   for (const auto& [path, value] : values) {
     const Key& key = key_named(path);
-    if (!has(before, key)) throw FieldError(path, value, "left out: the case has no [section] with it");
+    const bool may_come = key.name() == "poissons_ratio" && before.section.is_given();
+    if (!has(before, key) && !may_come)
+      throw FieldError(path, value, "left out: the case has no [section] with it");
     key.member.set(after, value);
   }
   after.section.require_valid();
@@ -193,6 +231,8 @@ Case with_values(const Case& problem, const std::vector<std::pair<std::string_vi
   }
   if (has_value("beam.shear_stiffness"))
     after.section.poissons_ratio = Section{}.poissons_ratio;
+  else if (has_value("beam.poissons_ratio"))
+    after.beam.shear_stiffness = 0.5 * after.beam.youngs_modulus * shear_area(after.section);
   else
     after.beam.shear_stiffness *= after.beam.youngs_modulus / before.beam.youngs_modulus *
                                   (shear_area(after.section) / shear_area(before.section));

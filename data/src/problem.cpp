@@ -147,9 +147,20 @@ void require_usable(const FrictionLaw& friction, const TangentialContact& contac
           ": a contact that moves at rest would never feel friction.static_coefficient");
 }
 
-HarmonicExcitation::HarmonicExcitation(const HarmonicMotion& motion) : motion_(motion) {
+HarmonicExcitation::HarmonicExcitation(const HarmonicMotion& motion)
+    : motion_(motion),
+      unit_amplitude_(1.0 / std::pow(2.0 * std::numbers::pi * motion.frequency_hz,
+                                     static_cast<double>(motion.amplitude_of))) {
   require_positive("excitation.frequency_hz", frequency_hz(), " (Hz)");
-  require_not_negative("excitation.amplitude", amplitude(), " (m)");
+  constexpr std::array units{" (m)", " (m/s)", " (m/s^2)"};
+  const auto kind = static_cast<std::size_t>(motion.amplitude_of);
+  require_not_negative(amplitude_keys.at(kind), motion.amplitude, units.at(kind));
+}
+
+HarmonicMotion HarmonicExcitation::stated_as(AmplitudeOf kind) const {
+  if (kind == motion_.amplitude_of) return motion_;
+  const double omega = 2.0 * std::numbers::pi * frequency_hz();
+  return {frequency_hz(), amplitude() * std::pow(omega, static_cast<double>(kind)), kind};
 }
 
 Damping::Damping(const DampingProperties& properties) : properties_(properties) {

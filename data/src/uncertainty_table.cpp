@@ -192,6 +192,15 @@ class DistributionReader {
                    ", but must be \"correlation\" or a key of a case that is no integer, in quotes");
 }
 
+// The key that the numbers of the distribution are of, by their units.
+std::string stated_by(const std::string& key, const toml::node& distribution) {
+  if (const auto* table = distribution.as_table())
+    for (const auto& [name, value] : *table)
+      if (const auto text = value.value_exact<std::string>())
+        if (const Key& stated = key_stated(key, *text); stated.path != key) return std::string(stated.path);
+  return key;
+}
+
 // One row of `correlation`, into the matrix. `pairs` are those of the rows before it.
 void set_correlation(const Path& file, const toml::node& row,
                      std::set<std::pair<std::size_t, std::size_t>>& pairs, Uncertainty& result) {
@@ -206,7 +215,8 @@ void set_correlation(const Path& file, const toml::node& row,
   std::array<std::size_t, 2> pair{};
   for (std::size_t i = 0; i < 2; ++i) {
     const auto name = (*items)[i].value_exact<std::string>();
-    const auto found = std::ranges::find(result.keys, name.value_or(""), &UncertainKey::key);
+    const auto found = std::ranges::find_if(
+        result.keys, [&](const UncertainKey& key) { return state_the_same(key.key, name.value_or("")); });
     if (found == result.keys.end()) fail("names " + describe((*items)[i]) + ", which has no distribution");
     pair[i] = static_cast<std::size_t>(found - result.keys.begin());
   }
@@ -255,9 +265,15 @@ Uncertainty uncertainty_of(const Path& file, const toml::node& node) {
     if (key.is_real()) keys.emplace_back(key.path);
   Uncertainty result;
   for (const auto& [name, value] : *table) {
-    const std::string key(name.str());
-    if (key == "correlation") continue;
-    if (std::ranges::find(keys, key) == keys.end()) throw_unknown(place_of(file, value), key, value, keys);
+    const std::string named(name.str());
+    if (named == "correlation") continue;
+    if (std::ranges::find(keys, named) == keys.end())
+      throw_unknown(place_of(file, value), named, value, keys);
+    const std::string key = stated_by(named, value);
+    for (const UncertainKey& other : result.keys)
+      if (state_the_same(other.key, key))
+        throw InputError(place_of(file, value) + ": uncertainty.\"" + named +
+                         "\" is given, but must be missing where \"" + other.key + "\" is given");
     result.keys.push_back({key, DistributionReader(file, key, value).read(), place_of(file, value)});
   }
   const std::size_t count = result.keys.size();

@@ -57,12 +57,9 @@ Answer animate(const AnimateOptions& options, Outputs& outputs) {
                                     .quiet = outputs.is_quiet()});
   Answer answer;
   answer.add_line(fmt::format("{} frames written to {}", options.frames, options.output));
-  answer.add_members({{"method", options.method},
-                      {"frequency_hz", problem.excitation.frequency_hz()},
-                      {"amplitude_m", problem.excitation.amplitude()},
-                      {"duration_s", duration},
-                      {"frames", options.frames},
-                      {"output", options.output}});
+  answer.add_members({{"method", options.method}});
+  add_excitation(answer, problem);
+  answer.add_members({{"duration_s", duration}, {"frames", options.frames}, {"output", options.output}});
   answer.warnings = warnings_of(problem, method.inquiry);
   return answer;
 }

@@ -37,7 +37,9 @@ void add_excitation_options(CLI::App& command, CaseOptions& options) {
   add_key_option(command, options, "--hz", "excitation.frequency_hz",
                  "Excitation frequency, Hz (else that of the case)");
   add_key_option(command, options, "--amplitude", "excitation.amplitude",
-                 "Excitation amplitude, m or with its unit, as 0.2mm (else that of the case)");
+                 "Amplitude of the base, m or with a unit of displacement, velocity or acceleration, as "
+                 "0.2mm or 0.5g (else "
+                 "that of the case)");
 }
 
 void add_duration_option(CLI::App& command, CaseOptions& options, const std::string& otherwise) {
@@ -74,13 +76,21 @@ data::Case load_case(const CaseOptions& options, const std::vector<data::Overrid
   return problem;
 }
 
+studies::Remake remake_of(const CaseOptions& options, const std::vector<data::Override>& more) {
+  return [options, more](std::string_view key, double value) {
+    auto overrides = more;
+    overrides.push_back(override_with(std::string(key), value, ""));
+    return load_case(options, overrides);
+  };
+}
+
 data::NumericalSettings numerics_up_to(double frequency_hz, const CaseOptions& options) {
   return load_case(options, {override_with("excitation.frequency_hz", frequency_hz, "")}).numerics;
 }
 
 void require_no_fixed_value(const CaseOptions& options, std::string_view varied, std::string_view option) {
   for (const data::Override& fixed : options.keys)
-    if (fixed.key == varied)
+    if (data::state_the_same(fixed.key, varied))
       throw data::InputError(fmt::format("{} is given, but {} varies {}", fixed.place, option, varied));
 }
 
@@ -141,12 +151,34 @@ std::string beam_line(const data::Case& problem) {
                      problem.friction.static_coefficient(), problem.friction.kinetic_coefficient());
 }
 
+ShownAmplitude shown_amplitude(const data::Case& problem) {
+  const data::Key& key = data::stated_amplitude(problem.excitation);
+  if (problem.excitation.motion().amplitude_of == data::AmplitudeOf::displacement)
+    return {key.magnitudes.unit, 1.0, key.axis.column};
+  return {key.axis.unit(), key.axis.scale, key.axis.column};
+}
+
+void add_excitation(Answer& answer, const data::Case& problem,
+                    const std::optional<analytic::FrequencyBand>& band) {
+  const auto& excitation = problem.excitation;
+  const bool falls = band && excitation.unit_amplitude() != 1.0;
+  answer.add_members(band ? Json{{"band_hz", {band->from_hz, band->to_hz}}}
+                          : Json{{"frequency_hz", excitation.frequency_hz()}});
+  answer.add_members({{"amplitude_m", falls ? Json() : Json(excitation.amplitude())},
+                      {"stated_as", data::stated_amplitude(excitation).name()},
+                      {"stated_amplitude", excitation.motion().amplitude}});
+}
+
 std::string conditions_of(const data::Case& problem, const std::optional<analytic::FrequencyBand>& band) {
   const auto text = data::shortest_text;
+  const auto [unit, scale, column] = shown_amplitude(problem);
+  std::string amplitude =
+      fmt::format("{} {}", exact(scale * problem.excitation.motion().amplitude).text, unit);
+  if (unit != "m" && !band) amplitude += fmt::format(" ({} m)", exact(problem.excitation.amplitude()).text);
   return fmt::format(
-      "{} Hz, {} m, 0 to {} s",
+      "{} Hz, {}, 0 to {} s",
       band ? text(band->from_hz) + " to " + text(band->to_hz) : text(problem.excitation.frequency_hz()),
-      text(problem.excitation.amplitude()), text(problem.numerics.duration()));
+      amplitude, text(problem.numerics.duration()));
 }
 
 Json problem_json(const data::Case& problem) {
@@ -156,6 +188,8 @@ Json problem_json(const data::Case& problem) {
     if (const auto found = numbers.find(std::string(key.path)); found != numbers.end())
       tables[std::string(key.table())][std::string(key.name())] =
           key.member.is_integer ? Json(static_cast<int>(found->second)) : finite_json(found->second);
+  tables["excitation"]["amplitude"] = problem.excitation.amplitude();
+  tables["excitation"]["stated_as"] = data::stated_amplitude(problem.excitation).name();
   return tables;
 }
 

@@ -48,6 +48,10 @@ void add_duration_option(CLI::App& command, CaseOptions& options,
 /// The case with those overrides and some more. Throws data::InputError, also for a contact that the command does not take.
 [[nodiscard]] data::Case load_case(const CaseOptions& options, const std::vector<data::Override>& more = {});
 
+/// Makes the case with another value of a key, as --set does.
+[[nodiscard]] studies::Remake remake_of(const CaseOptions& options,
+                                        const std::vector<data::Override>& more = {});
+
 /// The settings of that case for excitations up to a frequency, which decides those that the case does not state.
 [[nodiscard]] data::NumericalSettings numerics_up_to(double frequency_hz, const CaseOptions& options);
 
@@ -66,10 +70,23 @@ void require_no_fixed_value(const CaseOptions& options, std::string_view varied,
 /// The members of a change of a key, or null.
 [[nodiscard]] Json change_json(const std::optional<studies::Change>& change);
 
+/// How amplitudes of what the case states are shown: in m, m/s or g, that times the SI value, and their column in SI units.
+struct ShownAmplitude {
+  std::string_view unit;
+  double scale{};
+  std::string_view column;
+};
+[[nodiscard]] ShownAmplitude shown_amplitude(const data::Case& problem);
+
+/// Adds members: the frequency or band, the amplitude in metres (null where it falls over the band), by which key it is stated, and that
+/// number.
+void add_excitation(Answer& answer, const data::Case& problem,
+                    const std::optional<analytic::FrequencyBand>& band = {});
+
 /// The line "NAME: 80 mm x 10 mm x 2 mm, abs, P = 5 N (12 % of buckling), mu 0.4/0.3": what the program has understood.
 [[nodiscard]] std::string beam_line(const data::Case& problem);
 
-/// "30 Hz, 0.001 m, 0 to 2 s", or with the frequencies of a band.
+/// "30 Hz, 0.001 m, 0 to 2 s", "30 Hz, 0.5 g (0.000138004 m), 0 to 2 s", or with the frequencies of a band.
 [[nodiscard]] std::string conditions_of(const data::Case& problem,
                                         const std::optional<analytic::FrequencyBand>& band = {});
 

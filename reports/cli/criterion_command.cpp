@@ -21,13 +21,20 @@ struct CriterionOptions {
   std::string plan, output, figure;
 };
 
-std::vector<LabelledValue> rows_of(const analytic::Criterion& criterion, bool has_margin) {
+std::vector<LabelledValue> rows_of(const data::Case& problem, const analytic::Criterion& criterion) {
   std::vector<LabelledValue> rows{
       {"largest |f| / N", "force_max_N", between(criterion.force_max)},
       {"friction limit mu_s P / N", "friction_limit_N", exact(criterion.friction_limit)},
       {"", "critical_amplitude_m", exact(criterion.critical_amplitude.midpoint())},
       {"critical amplitude / m", "critical_amplitude_bounds_m", between(criterion.critical_amplitude)}};
-  if (has_margin) rows.push_back({"margin mu_s P / |f|", "", between(studies::margin_of(criterion))});
+  if (const auto [unit, scale, column] = shown_amplitude(problem); unit != "m") {
+    const auto stated = 1.0 / problem.excitation.unit_amplitude() * criterion.critical_amplitude;
+    rows.push_back({fmt::format("critical amplitude / {}", unit),
+                    fmt::format("critical_{}", column),
+                    {stated.midpoint(), common_digits(scale * stated)}});
+  }
+  if (problem.excitation.amplitude() > 0.0)
+    rows.push_back({"margin mu_s P / |f|", "", between(studies::margin_of(criterion))});
   rows.push_back({"verdict", "verdict", word(to_string(criterion.verdict))});
   return rows;
 }
@@ -35,7 +42,7 @@ std::vector<LabelledValue> rows_of(const analytic::Criterion& criterion, bool ha
 // Both criteria side by side in the text, and one after the other in JSON.
 void add_criteria(Answer& answer, const data::Case& problem, const studies::CriterionAnswer& found) {
   const bool has_margin = problem.excitation.amplitude() > 0.0;
-  const auto truncated = rows_of(found.truncated, has_margin), all = rows_of(found.all_modes, has_margin);
+  const auto truncated = rows_of(problem, found.truncated), all = rows_of(problem, found.all_modes);
   answer.add_row("", {fmt::format("{} modes", problem.numerics.modes()), "all modes"});
   Answer all_modes;
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -51,8 +58,7 @@ void add_criteria(Answer& answer, const data::Case& problem, const studies::Crit
 void add_steady_state(Answer& answer, const std::optional<studies::SteadyState>& steady, double duration) {
   if (!steady) {
     answer.add_row("steady |f| / N", {"", "none at a natural frequency"});
-    answer.add_members({{"steady", nullptr}});
-    return;
+    return answer.add_members({{"steady", nullptr}});
   }
   const Value force = rounded(steady->force, 7), verdict = word(to_string(steady->verdict));
   answer.add_row("steady |f| / N",
@@ -67,29 +73,29 @@ void add_steady_state(Answer& answer, const std::optional<studies::SteadyState>&
                         {"verdict", verdict.json}}}});
 }
 
-void add_outlook(Answer& answer, const studies::CriterionAnswer& found) {
+void add_outlook(Answer& answer, const studies::CriterionAnswer& found, double frequency_hz) {
   const auto& [mode, hz, distance] = found.nearest;
+  const double share = 100.0 * std::abs(distance);
   answer.add_row({"nearest natural freq. / Hz",
                   "nearest_natural_frequency",
                   {{{"mode", mode}, {"frequency_hz", hz}, {"relative_distance", distance}},
-                   fmt::format("{} (mode {}), {:.2g} % {}", rounded(hz, 7).text, mode,
-                               100.0 * std::abs(distance), distance < 0.0 ? "below" : "above")}});
-  if (const auto& best = found.best_change)
-    answer.add_row({"best change by a tenth",
-                    "best_change",
-                    {change_json(best),
-                     fmt::format("{} times {}: margin {:.4g}", best->key, best->factor, best->margin)}});
-  else
-    answer.add_members({{"best_change", nullptr}});
+                   fmt::format("{} (mode {}), {} % {}", rounded(hz, 7).text, mode,
+                               share < 99.5 ? fmt::format("{:.2g}", share) : fmt::format("{:.0f}", share),
+                               distance < 0.0 ? "below" : "above")}});
+  const auto& best = found.best_change;
+  if (!best) return answer.add_members({{"best_change", nullptr}});
+  answer.add_row({"best change by a tenth",
+                  "best_change",
+                  {change_json(best),
+                   fmt::format("{} times {}: margin {:.4g} at {} Hz only; over a band see design", best->key,
+                               best->factor, best->margin, data::shortest_text(frequency_hz))}});
 }
 
 Answer answer_of(const data::Case& problem, const studies::CriterionAnswer& found) {
   Answer answer;
   const bool is_damped = studies::is_damped(problem);
-  answer.add_members({{"frequency_hz", problem.excitation.frequency_hz()},
-                      {"amplitude_m", problem.excitation.amplitude()},
-                      {"duration_s", problem.numerics.duration()},
-                      {"modes", problem.numerics.modes()}});
+  add_excitation(answer, problem);
+  answer.add_members({{"duration_s", problem.numerics.duration()}, {"modes", problem.numerics.modes()}});
   if (is_damped)
     answer.add_members(
         {{"damping",
@@ -97,7 +103,7 @@ Answer answer_of(const data::Case& problem, const studies::CriterionAnswer& foun
   answer.add_line(conditions_of(problem) + (is_damped ? ", with damping\n" : "\n"));
   add_criteria(answer, problem, found);
   add_steady_state(answer, found.steady, problem.numerics.duration());
-  add_outlook(answer, found);
+  add_outlook(answer, found, problem.excitation.frequency_hz());
   answer.add_line(fmt::format("\nThe largest |f| is that of a start-up {}.",
                               is_damped ? "whose free vibrations decay with the damping of the case"
                                         : "without damping: its free vibrations do not decay"));
@@ -160,7 +166,7 @@ Answer criterion(const CriterionOptions& options, Outputs& outputs) {
   const data::Case problem = case_of(options.problem);
   outputs.about(problem);
   outputs.open({{"--figure", options.figure}});
-  Answer answer = answer_of(problem, studies::criterion_answer(problem));
+  Answer answer = answer_of(problem, studies::criterion_answer(problem, remake_of(options.problem)));
   answer.warnings = warnings_of(problem, studies::Inquiry::criterion);
   require_finite(answer.json);
   outputs.draw(problem.name, [&](const report::Look& look) {

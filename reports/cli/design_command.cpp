@@ -93,10 +93,8 @@ Value resonances_of(const std::vector<studies::Resonance>& resonances) {
 Answer answer_of(const data::Case& problem, const studies::Design& design) {
   const auto& [force, limit, margin_bounds, worst_hz, evaluations, resonances, steady_margin] = design.margin;
   Answer answer(34);
-  answer.add_members({{"band_hz", {design.band.from_hz, design.band.to_hz}},
-                      {"amplitude_m", problem.excitation.amplitude()},
-                      {"duration_s", problem.numerics.duration()},
-                      {"modes", problem.numerics.modes()}});
+  add_excitation(answer, problem, design.band);
+  answer.add_members({{"duration_s", problem.numerics.duration()}, {"modes", problem.numerics.modes()}});
   answer.add_line(
       fmt::format("{}, {} modes\n", conditions_of(problem, design.band), problem.numerics.modes()));
   const auto judged = [](const analytic::Bounds& bounds) {
@@ -147,7 +145,8 @@ void add_options(CLI::App& command, DesignOptions& options) {
       ->type_name("FROM:TO")
       ->required();
   add_key_option(command, options.problem, "--amplitude", "excitation.amplitude",
-                 "Amplitude at all of them, m (else that of the case)");
+                 "Amplitude at all of them, m or with a unit of displacement, velocity or acceleration (else "
+                 "that of the case)");
   command
       .add_option("--length", options.length,
                   "Lengths to look at, m (default: half to twice that of the case, below buckling)")

@@ -101,7 +101,8 @@ studies::MapAxis parse_axis(std::string_view option, std::string_view text) {
   const bool logarithmic = parts.size() == 4 && parts[3] == "log";
   if (equals == std::string_view::npos || (parts.size() != 3 && !logarithmic))
     fail_unless("PARAMETER=FROM:TO:COUNT or PARAMETER=FROM:TO:COUNT:log", option, "the axis", text);
-  const data::Key& key = axis_named(option, text.substr(0, equals));
+  const data::Key& named = axis_named(option, text.substr(0, equals));
+  const data::Key& key = data::key_stated(named.path, parts[0]);
   const bool zero = key.axis.may_be_zero && !logarithmic;
   const analytic::Bounds range = range_of(option, key, parts[0], parts[1], zero, false);
   const auto count = parse<int>(parts[2]);

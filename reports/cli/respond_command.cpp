@@ -26,10 +26,9 @@ struct RespondOptions {
 Answer answer_of(const data::Case& problem, const RespondOptions& options, const studies::History& history,
                  const HistoryOutput& output) {
   Answer answer;
-  answer.add_members({{"method", options.method},
-                      {"frequency_hz", problem.excitation.frequency_hz()},
-                      {"amplitude_m", problem.excitation.amplitude()},
-                      {"duration_s", problem.numerics.duration()},
+  answer.add_members({{"method", options.method}});
+  add_excitation(answer, problem);
+  answer.add_members({{"duration_s", problem.numerics.duration()},
                       {"output", options.history.output},
                       {"rows", output.rows()},
                       {"time_steps_in_a_row", output.row_step()},

@@ -33,8 +33,7 @@ Value margin_of(const std::optional<double>& margin) {
 void add_samples(Answer& answer, const data::Case& problem, const UncertaintyOptions& options,
                  const studies::SlipUncertainty& result) {
   const auto& band = options.sampling.band;
-  answer.add_members(band ? Json{{"band_hz", {band->from_hz, band->to_hz}}}
-                          : Json{{"frequency_hz", problem.excitation.frequency_hz()}});
+  add_excitation(answer, problem, band);
   answer.add_line(fmt::format("{}, {} modes; {} samples, seed {}\n", conditions_of(problem, band),
                               problem.numerics.modes(), options.sampling.samples, options.sampling.seed));
   answer.add_row("probability of slip",
@@ -62,14 +61,16 @@ void add_samples(Answer& answer, const data::Case& problem, const UncertaintyOpt
                       {"probability_upper", result.probability_of_slip.upper}});
 }
 
-Table table_of(const std::vector<studies::SlipUncertainty::Quantile>& quantiles) {
-  Table table{.columns = {{"quantile", "probability", 28},
-                          {"critical amplitude / m", "critical_amplitude_m", 26},
-                          {"margin mu_s P/|f_max|", "margin"}},
-              .rows = {}};
+Table table_of(const data::Case& problem, const std::vector<studies::SlipUncertainty::Quantile>& quantiles) {
+  const auto [unit, scale, column] = shown_amplitude(problem);
+  Table table{
+      .columns = {{"quantile", "probability", 28},
+                  {fmt::format("critical amplitude / {}", unit), fmt::format("critical_{}", column), 26},
+                  {"margin mu_s P/|f_max|", "margin"}},
+      .rows = {}};
   for (const auto& [probability, amplitude, margin] : quantiles)
     table.rows.push_back({{probability, fmt::format("{:.0f} %", 100.0 * probability)},
-                          estimated(amplitude, significant(amplitude.value, digits)),
+                          estimated(amplitude, significant(scale * amplitude.value, digits)),
                           estimated(margin, significant(margin.value, digits))});
   return table;
 }
@@ -128,7 +129,7 @@ Answer answer_of(const data::Case& problem, const UncertaintyOptions& options,
                   "margin_of_case",
                   {margin, significant(margin, digits) + (margin < 1.0 ? ": slips" : ": sticks")}});
   answer.add_line();
-  answer.add_table("quantiles", table_of(result.quantiles));
+  answer.add_table("quantiles", table_of(problem, result.quantiles));
   answer.add_line();
   answer.add_table("keys", table_of(result));
   if (result.sensitivity) answer.add_members({{"index_rows_dropped", result.sensitivity->dropped}});
@@ -143,16 +144,18 @@ Answer answer_of(const data::Case& problem, const UncertaintyOptions& options,
 
 Answer slip_probability(const UncertaintyOptions& given, Outputs& outputs) {
   UncertaintyOptions options = given;
-  const auto overrides = overrides_of(options.problem);
-  const auto file = data::find_case(options.problem.name);
   data::Case problem = load_case(options.problem);
-  const data::Uncertainty uncertainty = studies::without(data::read_uncertainty(file), overrides);
+  const data::Uncertainty uncertainty = studies::without(
+      data::read_uncertainty(data::find_case(options.problem.name)), overrides_of(options.problem));
+  std::vector<data::Override> at;
   if (options.band) {
     const auto band = parse_range("--band", "excitation.frequency_hz", *options.band, true);
     options.sampling.band = analytic::FrequencyBand{band.lower, band.upper};
-    problem.numerics = numerics_up_to(band.upper, options.problem);
-    problem = data::with_value(problem, "excitation.frequency_hz", band.upper);
+    at = {override_with("excitation.frequency_hz", band.upper, "")};
+    problem = load_case(options.problem, at);
   }
+  problem = studies::stated_as(problem, uncertainty);
+  options.sampling.remake = remake_of(options.problem, at);
   const auto inquiry = options.band ? studies::Inquiry::design : studies::Inquiry::criterion;
   studies::require_feasible(problem, inquiry);
   outputs.about(problem);

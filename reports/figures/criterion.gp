@@ -14,19 +14,19 @@ set format x '%g'
 set format y '%g'
 set xtics excitation_frequency / 4.0, 2
 set xlabel 'excitation frequency / Hz'
-set ylabel 'amplitude of the base / mm'
-stats file using ($2 * 1e3) name 'critical' nooutput
+set ylabel amplitude_label
+stats file using ($2 * amplitude_scale) name 'critical' nooutput
 highest = critical_max
-if (excitation_amplitude * 1e3 > highest) { highest = excitation_amplitude * 1e3 }
+if (excitation_amplitude * amplitude_scale > highest) { highest = excitation_amplitude * amplitude_scale }
 lowest = critical_min
-if (excitation_amplitude > 0 && excitation_amplitude * 1e3 < lowest) { lowest = excitation_amplitude * 1e3 }
+if (excitation_amplitude > 0 && excitation_amplitude * amplitude_scale < lowest) { lowest = excitation_amplitude * amplitude_scale }
 set yrange [lowest / 1.5:highest * 1.5]
 set key above horizontal center samplen 3
 set style fill solid noborder
-plot file using 1:($2 * 1e3):(highest * 2) with filledcurves linecolor rgb slip_fill title 'slips', \
-     '' using 1:(lowest / 2):($2 * 1e3) with filledcurves linecolor rgb stick_fill title 'sticks', \
-     '' using 1:($2 * 1e3) with lines linecolor rgb black linewidth 1.2 title 'critical amplitude', \
+plot file using 1:($2 * amplitude_scale):(highest * 2) with filledcurves linecolor rgb slip_fill title 'slips', \
+     '' using 1:(lowest / 2):($2 * amplitude_scale) with filledcurves linecolor rgb stick_fill title 'sticks', \
+     '' using 1:($2 * amplitude_scale) with lines linecolor rgb black linewidth 1.2 title 'critical amplitude', \
      folder.'criterion-natural.csv' using 1:(lowest / 1.5):(0):(highest / lowest * 10) with vectors nohead linestyle 3 \
          title 'natural frequency', \
-     '+' using (excitation_frequency):(excitation_amplitude * 1e3) every ::0::0 with points pointtype 7 pointsize 1 \
+     '+' using (excitation_frequency):(excitation_amplitude * amplitude_scale) every ::0::0 with points pointtype 7 pointsize 1 \
          linecolor rgb vermillion title 'this case'

@@ -126,12 +126,20 @@ std::string draw(const CsvTable& table, const studies::CriterionMap& map, const 
 }
 
 std::string draw(const data::Case& problem, const studies::CriticalAmplitudeCurve& curve, const Look& look) {
-  CsvTable table("Critical amplitude of the case " + problem.name, "frequency [Hz], critical_amplitude [m]");
+  const data::Key& stated = data::stated_amplitude(problem.excitation);
+  const data::HarmonicMotion& motion = problem.excitation.motion();
+  CsvTable table("Critical amplitude of the case " + problem.name,
+                 fmt::format("frequency [Hz], critical_amplitude [{}]", stated.magnitudes.unit));
   CsvTable marks("Natural frequencies of the stick state", "frequency [Hz]");
-  for (const auto& [hz, amplitude] : curve.points) table.add_numbers({hz, amplitude});
+  for (const auto& [hz, amplitude] : curve.points)
+    table.add_numbers(
+        {hz, data::HarmonicExcitation({hz, amplitude}).stated_as(motion.amplitude_of).amplitude});
   for (const double hz : curve.natural_hz) marks.add_numbers({hz});
-  const auto values = values_table({{"excitation_frequency", problem.excitation.frequency_hz(), "Hz"},
-                                    {"excitation_amplitude", problem.excitation.amplitude(), "m"}});
+  const auto values =
+      values_table({{"excitation_frequency", motion.frequency_hz, "Hz"},
+                    {"excitation_amplitude", motion.amplitude, std::string(stated.magnitudes.unit)},
+                    {"amplitude_label", 0.0, "-", std::string(stated.axis.label)},
+                    {"amplitude_scale", stated.axis.scale, "1"}});
   return drawing_of("criterion", look,
                     {{"criterion.csv", table.text()},
                      {"criterion-natural.csv", marks.text()},

@@ -111,11 +111,13 @@ std::optional<Change> best_change(
     const std::function<std::optional<double>(std::string_view key, double value)>& margin_with) {
   Change best;
   for (const std::string_view key :
-       {"excitation.amplitude", "excitation.frequency_hz", "beam.length", "beam.axial_force",
-        "beam.youngs_modulus", "beam.density", "friction.static_coefficient"})
+       {"beam.length", "section.width", "section.height", "section.diameter", "section.wall_thickness",
+        "beam.axial_force", "friction.static_coefficient"})
     for (const double factor : {0.9, 1.1})
-      if (const auto margin = margin_with(key, factor * data::value_of(problem, key));
-          margin && *margin > best.margin)
+      if (std::isnan(data::value_of(problem, key)))
+        continue;
+      else if (const auto margin = margin_with(key, factor * data::value_of(problem, key));
+               margin && *margin > best.margin)
         best = {key, factor, *margin};
   return best.key.empty() ? std::nullopt : std::optional(best);
 }
@@ -139,7 +141,7 @@ analytic::Criterion criterion_with_all_modes(const data::Case& problem, double r
           .verdict = analytic::verdict_of(force, limit)};
 }
 
-CriterionAnswer criterion_answer(const data::Case& problem) {
+CriterionAnswer criterion_answer(const data::Case& problem, const Remake& remake) {
   CriterionAnswer answer{.truncated = criterion_of(problem),
                          .all_modes = criterion_with_all_modes(problem, 1e-10),
                          .steady = {},
@@ -147,12 +149,14 @@ CriterionAnswer criterion_answer(const data::Case& problem) {
                          .best_change = {}};
   answer.steady = steady_state(problem, answer.nearest);
   if (problem.excitation.amplitude() > 0.0)
-    answer.best_change =
-        best_change(problem, [&](std::string_view key, double value) -> std::optional<double> {
-          const data::Case changed = data::with_value(problem, key, value);
-          if (changed.beam.axial_force() >= analytic::stick_buckling_load(changed.beam)) return std::nullopt;
-          return margin_of(criterion_of(changed)).lower;
-        });
+    answer
+        .best_change = best_change(problem, [&](std::string_view key, double value) -> std::optional<double> {
+      try {
+        return margin_of(criterion_of(remake ? remake(key, value) : with_value(problem, key, value))).lower;
+      } catch (const data::InputError&) {  // no beam, or one without a stick state
+        return std::nullopt;
+      }
+    });
   return answer;
 }
 

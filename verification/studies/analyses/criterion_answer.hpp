@@ -42,18 +42,21 @@ struct CriterionAnswer {
   std::optional<Change> best_change;  ///< by a tenth; nothing for an excitation amplitude of 0
 };
 
+/// The case with a key at another value, and with the settings that the program chooses for it.
+using Remake = std::function<data::Case(std::string_view key, double value)>;
+
 /// The criterion of a case with a rigid contact by all routes. The criterion without truncation has the exact steady part, many
-/// free vibrations, and bounds of those that are left out; each key that it depends on is then changed by a tenth, and the change
-/// with the largest margin is kept. Throws what evaluate_criterion() throws.
-[[nodiscard]] CriterionAnswer criterion_answer(const data::Case& problem);
+/// free vibrations, and bounds of those that are left out; each key of best_change() is then changed by a tenth, by data::with_value()
+/// unless there is a `remake`, and the change with the largest margin is kept. Throws what evaluate_criterion() throws.
+[[nodiscard]] CriterionAnswer criterion_answer(const data::Case& problem, const Remake& remake = {});
 
 /// CriterionAnswer::all_modes with bounds of that width and at most so many free vibrations, 200 or 40 with damping without a
 /// limit. The bounds hold what is left out, 1e-5 of the paper's force with 40. Throws as criterion_answer() does.
 [[nodiscard]] analytic::Criterion criterion_with_all_modes(const data::Case& problem, double relative_width,
                                                            int most_modes = 200);
 
-/// The change with the largest margin of those of one key by a tenth: amplitude, frequency, length, axial force, Young's modulus,
-/// density or static coefficient. `margin_with` gives the margin with a key at a value, nothing where there is no stick state.
+/// The change with the largest margin of those of one key by a tenth that can be built: length, sides of the section, axial force or
+/// static coefficient. `margin_with` gives the margin with a key at a value, nothing where there is no stick state.
 [[nodiscard]] std::optional<Change> best_change(
     const data::Case& problem,
     const std::function<std::optional<double>(std::string_view key, double value)>& margin_with);

@@ -26,9 +26,13 @@ using analytic::Verdict;
 
 namespace {
 
+bool is_amplitude(std::string_view parameter) {
+  return data::state_the_same(parameter, data::amplitude_keys.front());
+}
+
 // |f_max| is proportional to the amplitude, and the friction limit μ_s P to the static coefficient.
 bool is_a_factor(std::string_view parameter) {
-  return parameter == "excitation.amplitude" || parameter == "friction.static_coefficient";
+  return is_amplitude(parameter) || parameter == "friction.static_coefficient";
 }
 
 // Whether the cells have different beams, but for the direction of P. Some of them may be buckled and others not.
@@ -92,8 +96,21 @@ class Forces {
       table_.emplace(lowest, highest, modes_, problem.beam.axial_direction());
   }
 
-  // |f_max| per metre of amplitude, N/m.
+  // |f_max| per unit of the amplitude that the case states: N/m, N s/m or N s²/m.
   [[nodiscard]] analytic::Bounds unit_force(const data::Case& problem) const {
+    return problem.excitation.unit_amplitude() * force_per_metre(problem);
+  }
+
+  // Whether the tip slips. Far from the friction limit this needs less work than the force itself.
+  [[nodiscard]] bool slips(const data::Case& problem) const {
+    const double limit = friction_limit(problem), amplitude = problem.excitation.amplitude();
+    if (method_ == MapMethod::closed_form && !is_damped(problem))
+      return amplitude > 0.0 && search(problem).exceeds(limit / amplitude);
+    return analytic::verdict_of(amplitude * force_per_metre(problem), limit) == Verdict::stick_slip;
+  }
+
+ private:
+  [[nodiscard]] analytic::Bounds force_per_metre(const data::Case& problem) const {
     if (method_ == MapMethod::closed_form && is_damped(problem))
       return analytic::DampedForce(common_damped_
                                        ? *common_damped_
@@ -107,15 +124,6 @@ class Forces {
     return {force, force};
   }
 
-  // Whether the tip slips. Far from the friction limit this needs less work than the force itself.
-  [[nodiscard]] bool slips(const data::Case& problem) const {
-    const double limit = friction_limit(problem), amplitude = problem.excitation.amplitude();
-    if (method_ == MapMethod::closed_form && !is_damped(problem))
-      return amplitude > 0.0 && search(problem).exceeds(limit / amplitude);
-    return analytic::verdict_of(amplitude * unit_force(problem), limit) == Verdict::stick_slip;
-  }
-
- private:
   static std::array<std::size_t, 2> ends_of(const MapAxis& axis) { return {0, axis.values.size() - 1}; }
 
   // The same load factor for all beams. The first mode still has one or two correct digits there.
@@ -165,12 +173,12 @@ class Responses {
   std::optional<analytic::ContactModes> common_;
 };
 
-// The quantities of a cell that |f_max| per metre of amplitude is compared with.
+// The quantities of a cell that |f_max| per unit of the stated amplitude is compared with.
 struct Factors {
   double amplitude{}, static_coefficient{}, axial_force{};
 
   void set(std::string_view parameter, double value) {
-    if (parameter == "excitation.amplitude") amplitude = value;
+    if (is_amplitude(parameter)) amplitude = value;
     if (parameter == "friction.static_coefficient") static_coefficient = value;
     if (parameter == "beam.axial_force") axial_force = value;
   }
@@ -225,7 +233,7 @@ MapAxis map_axis(std::string_view parameter, double from, double to, int count, 
 std::size_t evaluation_count(const MapTask& task) {
   const data::Case& problem = task.problem;
   const MapAxis &x = task.x, &y = task.y;
-  if (x.parameter == y.parameter)
+  if (data::state_the_same(x.parameter, y.parameter))
     throw data::InputError("both axes of the map are " + std::string(x.parameter) +
                            ", but must be two parameters");
   for (const double value : x.values) (void)with_value(problem, x.parameter, value);
@@ -297,7 +305,7 @@ CriterionMap criterion_map(const MapTask& task, const MapEvaluations& evaluation
                    .tolerance = task.tolerance,
                    .cells = {}};
   map.cells.resize(x.values.size() * y.values.size());
-  Factors factors{.amplitude = task.problem.excitation.amplitude(),
+  Factors factors{.amplitude = task.problem.excitation.motion().amplitude,
                   .static_coefficient = task.problem.friction.static_coefficient(),
                   .axial_force = task.problem.beam.axial_force()};
   auto cell = map.cells.begin();

@@ -67,7 +67,7 @@ struct MapTask {
 
 /// The result of one evaluation of the force, for all cells that share it.
 struct MapEvaluation {
-  std::optional<analytic::Bounds> unit_force;  ///< |f_max| per metre of amplitude, N/m
+  std::optional<analytic::Bounds> unit_force;  ///< |f_max| per unit of the stated amplitude
   CellState state{};                           ///< of the single cell, if the force is not computed
   std::vector<ResponseValue> response{};       ///< of the quantities
 };

@@ -39,8 +39,14 @@ void require_margin(const data::Case& problem) {
   throw data::FieldError("excitation.amplitude", "0", "above 0 (m): without excitation nothing slips");
 }
 
-analytic::BandMaximum search_of(const data::Case& problem, const analytic::FrequencyBand& band,
+// A0 at the lower end of the band, m: what BandMaximum counts in.
+double amplitude_at_start(const data::Case& problem, const analytic::FrequencyBand& band) {
+  return with_value(problem, "excitation.frequency_hz", band.from_hz).excitation.amplitude();
+}
+
+analytic::BandMaximum search_of(const data::Case& problem, analytic::FrequencyBand band,
                                 analytic::DampedForcePart part = analytic::DampedForcePart::start_up) {
+  band.held = problem.excitation.motion().amplitude_of;
   const int modes = problem.numerics.modes();
   if (!is_damped(problem)) return {problem.beam, band, problem.numerics.duration(), modes};
   return {analytic::damped_reaction(problem.beam, problem.damping, modes), band, problem.numerics.duration(),
@@ -62,7 +68,7 @@ class Candidate {
  public:
   Candidate(const data::Case& problem, double value, const analytic::FrequencyBand& band)
       : value_(value),
-        limit_(friction_limit(problem) / problem.excitation.amplitude()),
+        limit_(friction_limit(problem) / amplitude_at_start(problem, band)),
         modes_(analytic::modal_forces(problem.beam, problem.numerics.modes())),
         least_ratio_(studies::least_ratio(problem)),
         search_(search_of(problem, band)) {}
@@ -71,7 +77,7 @@ class Candidate {
   [[nodiscard]] const std::vector<analytic::ModalForce>& modes() const { return modes_; }
   [[nodiscard]] double least_ratio() const { return least_ratio_; }
 
-  // Whether |f_max| per metre of amplitude is at least `reserve` (N/m) below the limit over the whole band.
+  // Whether |f_max| per metre of amplitude at the lower end is at least `reserve` (N/m) below the limit over the whole band.
   [[nodiscard]] bool sticks(double reserve = 0.0) {
     const double target = limit_ - reserve;
     return target > 0.0 && search_.refined_against(target, undecided).upper <= target;
@@ -79,7 +85,7 @@ class Candidate {
 
  private:
   double value_;
-  double limit_;  // μ_s P/A0, N/m
+  double limit_;  // μ_s P/A0 at the lower end of the band, N/m
   std::vector<analytic::ModalForce> modes_;
   double least_ratio_;
   analytic::BandMaximum search_;
@@ -141,8 +147,8 @@ class Scan {
     return 0.5 * (low + high);
   }
 
-  // The estimate R of design_scan(): how far |f_max| per metre of amplitude rises above its larger end value,
-  // N/m.
+  // The estimate R of design_scan(): how far |f_max| per metre of amplitude rises above its larger end value, N/m. As b³, b² times
+  // the weight of BandMaximum is largest at the end of the band.
   [[nodiscard]] double rise_between(const Candidate& left, const Candidate& right) const {
     const double ratio = std::min(left.least_ratio(), right.least_ratio());
     const double a = two_pi * band_.from_hz, b = two_pi * band_.to_hz;
@@ -158,7 +164,7 @@ class Scan {
       const double bend = std::min(t * t * q, b * b * t * t * t / (3.0 * w));
       rise += c * std::min(change * change * bend / 8.0, 2.0 * q);
     }
-    return rise;
+    return rise * std::pow(a / b, static_cast<double>(problem_.excitation.motion().amplitude_of));
   }
 
   void append(const Candidate& left, const Candidate& right, bool sticks,
@@ -206,7 +212,7 @@ BandMargin band_margin(const data::Case& problem, const analytic::FrequencyBand&
   require_margin(problem);
   analytic::BandMaximum search = search_of(problem, band);
   const analytic::Bounds unit = search.refined_to(relative_width);
-  const double amplitude = problem.excitation.amplitude(), limit = friction_limit(problem);
+  const double amplitude = amplitude_at_start(problem, band), limit = friction_limit(problem);
   BandMargin margin{.force_max = amplitude * unit,
                     .friction_limit = limit,
                     .margin = limit / (amplitude * unit),

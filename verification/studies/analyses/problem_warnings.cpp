@@ -296,8 +296,8 @@ std::vector<Warning> warnings_common_to(const data::Case& problem,
                                         const std::vector<std::string_view>& varied) {
   if (problem.beam.axial_force() >= analytic::stick_buckling_load(problem.beam)) return {};
   const auto moves_a_frequency = [](std::string_view parameter) {
-    return parameter != "excitation.amplitude" && parameter != "friction.static_coefficient" &&
-           parameter != "beam.axial_direction";
+    return !data::state_the_same(parameter, data::amplitude_keys.front()) &&
+           parameter != "friction.static_coefficient" && parameter != "beam.axial_direction";
   };
   const auto changes_the_proportions = [](std::string_view parameter) {
     return parameter == "beam.length" || parameter == "beam.area" ||

@@ -30,15 +30,17 @@ constexpr std::array quantile_probabilities{0.05, 0.25, 0.5, 0.75, 0.95};
 
 // The result of one sample.
 struct SampleResult {
-  double critical_amplitude{}, margin{};
+  double critical_amplitude{};  // of what the case states
+  double margin{};
   bool slips{};
 };
 
 // Keys on which |f_max| per metre of amplitude does not depend.
 bool moves_the_force(const std::string& key) {
-  static const std::set<std::string> others{"excitation.amplitude", "numerics.time_step",
-                                            "numerics.spectral_radius", "numerics.velocity_threshold"};
-  return !key.starts_with("friction.") && !others.contains(key);
+  static const std::set<std::string> others{"numerics.time_step", "numerics.spectral_radius",
+                                            "numerics.velocity_threshold"};
+  return !key.starts_with("friction.") && !others.contains(key) &&
+         !data::state_the_same(key, data::amplitude_keys.front());
 }
 
 // The verdict on the cases in which keys have other values.
@@ -47,8 +49,12 @@ class Verdicts {
   Verdicts(const data::Case& problem, const data::Uncertainty& uncertainty,
            const std::optional<analytic::FrequencyBand>& band)
       : problem_(problem), keys_(uncertainty.keys), band_(band) {
+    if (band_) {  // BandMaximum counts in the amplitude at its lower end
+      problem_ = with_value(problem_, "excitation.frequency_hz", band_->from_hz);
+      band_->held = problem_.excitation.motion().amplitude_of;
+    }
     if (std::ranges::any_of(keys_, [](const auto& key) { return moves_the_force(key.key); })) return;
-    force_ = band ? search_of(problem).refined_to(common_width) : unit_force(problem);
+    force_ = band_ ? search_of(problem_).refined_to(common_width) : unit_force(problem);
   }
 
   // From now on the modes of undamped beams with a load factor between those of the values are interpolated.
@@ -89,17 +95,19 @@ class Verdicts {
     return band_ ? search_of(problem).exceeds(limit) : search_of_force(problem).exceeds(limit);
   }
 
+  [[nodiscard]] double nominal_margin() const { return of(problem_).margin; }
+
+ private:
   [[nodiscard]] SampleResult of(const data::Case& problem) const {
     analytic::require_contact(problem.beam);
     const double limit = friction_limit(problem), amplitude = problem.excitation.amplitude();
     if (!(amplitude > 0.0)) throw data::FieldError("excitation.amplitude", amplitude, "above 0 (m)");
     const analytic::Bounds force = force_ ? *force_ : unit_force(problem);
-    return {.critical_amplitude = limit / force.midpoint(),
+    return {.critical_amplitude = limit / force.midpoint() / problem.excitation.unit_amplitude(),
             .margin = limit / (amplitude * force.midpoint()),
             .slips = analytic::verdict_of(amplitude * force, limit) == Verdict::stick_slip};
   }
 
- private:
   [[nodiscard]] data::Case case_at(std::span<const double> values) const {
     return studies::case_at(problem_, keys_, values);
   }
@@ -312,7 +320,10 @@ data::Uncertainty without(const data::Uncertainty& uncertainty, const std::vecto
   std::vector<std::size_t> kept;
   data::Uncertainty result;
   for (std::size_t i = 0; i < uncertainty.keys.size(); ++i) {
-    if (std::ranges::find(given, uncertainty.keys[i].key, &data::Override::key) != given.end()) continue;
+    if (std::ranges::any_of(given, [&](const data::Override& one) {
+          return data::state_the_same(one.key, uncertainty.keys[i].key);
+        }))
+      continue;
     kept.push_back(i);
     result.keys.push_back(uncertainty.keys[i]);
   }
@@ -322,13 +333,21 @@ data::Uncertainty without(const data::Uncertainty& uncertainty, const std::vecto
   return result;
 }
 
-SlipUncertainty slip_uncertainty(const data::Case& problem, const data::Uncertainty& uncertainty,
+data::Case stated_as(const data::Case& problem, const data::Uncertainty& uncertainty) {
+  const auto key = std::ranges::find_if(uncertainty.keys, [](const data::UncertainKey& one) {
+    return data::state_the_same(one.key, data::amplitude_keys.front());
+  });
+  return key == uncertainty.keys.end() ? problem : with_value(problem, key->key, value_of(problem, key->key));
+}
+
+SlipUncertainty slip_uncertainty(const data::Case& given, const data::Uncertainty& uncertainty,
                                  const SlipSampling& sampling, const std::function<void(double)>& progress) {
+  const data::Case problem = stated_as(given, uncertainty);
   require_answerable(problem, uncertainty, sampling);
   Verdicts verdicts(problem, uncertainty, sampling.band);
   const JointDistribution joint(uncertainty);
   SlipUncertainty result;
-  result.nominal_margin = verdicts.of(problem).margin;
+  result.nominal_margin = verdicts.nominal_margin();
   std::vector<std::vector<double>> pilots;
   for (std::size_t index = 0; index < pilot_count; ++index)
     pilots.push_back(joint.at(independent_point(sampling.seed, index, joint.size())));
@@ -390,11 +409,11 @@ SlipUncertainty slip_uncertainty(const data::Case& problem, const data::Uncertai
   result.tightening_helps = result.probability_with_half_spread.value < result.probability_of_slip.value;
   if (!result.tightening_helps && result.slips > 0)
     result.best_change = best_change(problem, [&](std::string_view key, double value) {
-      if (sampling.band && key == "excitation.frequency_hz") return std::optional<double>();
-      const double ratio = value / data::value_of(problem, key);
-      if (key == "excitation.amplitude") return std::optional(result.nominal_margin / ratio);
-      if (key == "friction.static_coefficient") return std::optional(result.nominal_margin * ratio);
-      return margin_with(problem, std::string(key), value, sampling.band);
+      return result_or_reason([&] {
+        const data::Case changed =
+            sampling.remake ? sampling.remake(key, value) : with_value(problem, key, value);
+        return Verdicts(stated_as(changed, uncertainty), {}, sampling.band).nominal_margin();
+      });
     });
   return result;
 }

@@ -25,6 +25,7 @@ struct SlipSampling {
   std::uint64_t seed = 1;
   /// The margin over a band of excitation frequencies (BandMaximum) instead of that at excitation.frequency_hz.
   std::optional<analytic::FrequencyBand> band{};
+  Remake remake{};  ///< of the mean, for best_change
   bool is_short{};  ///< without all_modes and sensitivity, which take nine tenths of the time
 };
 
@@ -32,7 +33,7 @@ struct SlipSampling {
 struct SlipUncertainty {
   struct Quantile {
     double probability{};
-    Estimate critical_amplitude;  ///< m
+    Estimate critical_amplitude;  ///< of what the case states: m, m/s or m/s²
     Estimate margin;
   };
   /// The margin with one key at its 5 % and 95 % quantiles and the others as in the case; empty where there is no
@@ -91,6 +92,9 @@ constexpr std::size_t most_samples_of_all_modes = 1000;
                                                const data::Uncertainty& uncertainty,
                                                const SlipSampling& sampling,
                                                const std::function<void(double)>& progress = {});
+
+/// The same case, with the amplitude of its base stated by the key that is uncertain.
+[[nodiscard]] data::Case stated_as(const data::Case& problem, const data::Uncertainty& uncertainty);
 
 /// The case with a sample of the keys. Throws data::FieldError for values that no beam has.
 [[nodiscard]] data::Case case_at(const data::Case& problem, const std::vector<data::UncertainKey>& keys,

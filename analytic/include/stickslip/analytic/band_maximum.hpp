@@ -29,6 +29,11 @@
 ///     |d/dΩ exp(λ_k θ/Ω)| ≤ ρ/(e Ω),     |d²/dΩ² exp(λ_k θ/Ω)| ≤ (4 ρ²/e² + 2 ρ/e)/Ω²,
 ///
 /// so that the bound of |d² f/dΩ²| does not grow with T. At Ω the time is 0 ≤ t ≤ T Ω_to/Ω.
+///
+/// A base whose velocity (k = 1) or acceleration (k = 2) has one amplitude over the band has the displacement A0 w(Ω),
+/// w = (Ω_from/Ω)^k, with A0 at Ω_from. w is convex and falls. Between two frequencies with the largest forces F_1 and F_2 (per unit
+/// displacement) and the weights w_1 ≥ w_2, the product of the two chords exceeds the larger of w_1 F_1 and w_2 F_2 by at most
+/// (w_1 - w_2) max(0, F_2 - F_1)/4, which adds to w_1 h²/8 max |d² f/dΩ²|.
 
 #include <cstddef>
 #include <map>
@@ -47,6 +52,7 @@ namespace stickslip::analytic {
 struct FrequencyBand {
   double from_hz{};
   double to_hz{};
+  data::AmplitudeOf held{};  ///< whose amplitude is the same at all of them
 };
 
 /// What is looked at of a damped beam.
@@ -66,7 +72,7 @@ class BandMaximum {
   BandMaximum(const DampedReaction& reaction, const FrequencyBand& band, double duration,
               DampedForcePart part);
 
-  /// Bounds of the largest |f_max| per unit amplitude, N/m, with upper - lower ≤ relative_width * lower, or
+  /// Bounds of the largest |f_max| per unit amplitude of the displacement at from_hz, N/m, with upper - lower ≤ relative_width * lower, or
   /// wider as soon as they leave no doubt on which side of `limit` it is. Rigorous for the modes kept at
   /// their computed frequencies. Throws std::invalid_argument unless 1e-7 ≤ relative_width < 1.
   [[nodiscard]] Bounds refined_to(double relative_width);
@@ -82,10 +88,10 @@ class BandMaximum {
   /// How many frequencies have been evaluated.
   [[nodiscard]] std::size_t evaluations() const noexcept { return values_.size(); }
 
-  /// Bounds per unit amplitude over an interval of Ω and 0 ≤ t ≤ T, from the formulas above alone.
+  /// Bounds per unit amplitude over an interval of Ω and 0 ≤ t ≤ T, from the formulas above alone, with the weight of its beginning.
   struct Suprema {
-    double force{};      ///< of |f|, N/m
-    double curvature{};  ///< of |d² f/dΩ²|, N s²/(m rad²)
+    double force{};      ///< of w |f|, N/m
+    double curvature{};  ///< of w |d² f/dΩ²|, N s²/(m rad²)
   };
   /// What the search knows of an interval without evaluating it; from ≤ to in rad/s.
   [[nodiscard]] Suprema between(double from, double to) const;
@@ -100,6 +106,8 @@ class BandMaximum {
   };
   void divide(const FrequencyBand& band, const std::vector<double>& natural);
   [[nodiscard]] Decided force_at(double omega, double damped_width = 1e-8) const;
+  [[nodiscard]] double weight(double omega) const;
+  [[nodiscard]] Suprema undamped_between(double from, double to) const;
   [[nodiscard]] Suprema damped_between(double from, double to) const;
   [[nodiscard]] bool rises_above(Decided& from, Decided& to, double limit) const;
   [[nodiscard]] double upper_value(double omega, double excess, double limit, double relative_width);
@@ -112,6 +120,7 @@ class BandMaximum {
   std::optional<DampedReaction> damped_;
   DampedForcePart part_{};
   double duration_;
+  double order_{};             // k of the weight
   std::vector<double> marks_;  // the ends and the natural frequencies between them, rad/s, ascending
   // An upper bound of |f_max|, and the relative width to which it is sharp.
   struct UpperValue {

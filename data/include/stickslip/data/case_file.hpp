@@ -14,7 +14,7 @@
 ///     "tube" (diameter, wall_thickness): beam.area, beam.second_moment_of_area;
 ///   beam.material, a name of list_materials(): beam.density, beam.youngs_modulus;
 ///   beam.poissons_ratio, with a section: beam.shear_stiffness;
-///   excitation.velocity_amplitude (m/s) or acceleration_amplitude (m/s^2): excitation.amplitude.
+///   excitation.velocity_amplitude (m/s) or acceleration_amplitude (m/s^2): excitation.amplitude, which takes their units, too.
 /// A table [uncertainty] (uncertainty.hpp) gives keys a distribution; one that is missing elsewhere has the mean
 /// of its distribution.
 

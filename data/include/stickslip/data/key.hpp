@@ -37,8 +37,9 @@ struct Magnitudes {
 
 enum class Presence {
   required,
-  optional,  ///< it has a default, or belongs to a section
-  shorthand  ///< stands for other keys while the file is read, and is no number of a case
+  optional,     ///< it has a default, or belongs to a section
+  alternative,  ///< one of those that state the same is required
+  shorthand     ///< stands for other keys while the file is read, and is no number of a case
 };
 
 /// How the number of a key is read and changed; empty for a shorthand.
@@ -55,6 +56,9 @@ struct KeyAxis {
   std::string_view label;   ///< of a figure, "axial force P / N"
   double scale{1.0};        ///< from SI units to those of the label
   bool may_be_zero{};
+
+  /// The unit that the label names, "N".
+  [[nodiscard]] std::string_view unit() const { return label.substr(label.rfind(" / ") + 3); }
 };
 
 struct Key {
@@ -76,10 +80,22 @@ struct Key {
 /// The key with this path. Throws std::invalid_argument if there is none.
 [[nodiscard]] const Key& key_named(std::string_view path);
 
+/// Whether two keys state one quantity, so that a case has one of them: the amplitude of displacement, velocity or acceleration, the
+/// duration in either table, the shear stiffness or Poisson's ratio. A key states the same as itself.
+[[nodiscard]] bool state_the_same(std::string_view path, std::string_view other);
+
+/// The key that a number with a unit is one of where it stands at `path`: of "2 g" at excitation.amplitude that of the
+/// acceleration; else the key with this path.
+[[nodiscard]] const Key& key_stated(std::string_view path, std::string_view text);
+
+/// The key by which the case states the amplitude of its base.
+[[nodiscard]] const Key& stated_amplitude(const HarmonicExcitation& excitation);
+
 /// The case with these numbers. Throws FieldError for a number that the problem types do not allow.
 [[nodiscard]] Case case_of(const std::string& name, const CaseNumbers& numbers);
 
-/// The numbers of a case by their paths; without the keys of a section that it was not given by.
+/// The numbers of a case by their paths; without the keys of a section that it was not given by, and with the amplitude that it
+/// states.
 [[nodiscard]] std::map<std::string, double> numbers_of(const Case& problem);
 
 /// The case with these numbers_of(). Throws std::out_of_range for one that is missing, and FieldError.

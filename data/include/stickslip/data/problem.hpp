@@ -29,6 +29,7 @@
 /// Every quantity is in SI units. Derived quantities (E I, ρ A, Ω, μ(v), h(t)) are left to each of the
 /// two implementations on purpose, so that a slip in one of them shows when they are compared.
 
+#include <array>
 #include <limits>
 #include <string>
 #include <string_view>
@@ -169,23 +170,39 @@ void require_rigid(const TangentialContact& contact, std::string_view what);
 /// never is quite at rest, the static coefficient would not act.
 void require_usable(const FrictionLaw& friction, const TangentialContact& contact);
 
+/// What an amplitude is one of. Its value k is the number of derivatives in time.
+enum class AmplitudeOf { displacement, velocity, acceleration };
+
+/// The keys that state an amplitude, by AmplitudeOf.
+inline constexpr std::array<std::string_view, 3> amplitude_keys{
+    "excitation.amplitude", "excitation.velocity_amplitude", "excitation.acceleration_amplitude"};
+
 /// What a HarmonicExcitation is built from; field names are the keys of the table [excitation].
 struct HarmonicMotion {
-  double frequency_hz{};  ///< Hz, > 0
-  double amplitude{};     ///< A0, m, ≥ 0
+  double frequency_hz{};       ///< Hz, > 0
+  double amplitude{};          ///< as it is stated, m, m/s or m/s², ≥ 0
+  AmplitudeOf amplitude_of{};  ///< what it is the amplitude of
 };
 
-/// Harmonic base displacement h(t) = A0 sin(2 π frequency_hz t). Cannot be built invalid.
+/// Harmonic base displacement h(t) = A0 sin(Ω t), Ω = 2 π frequency_hz. The k-th derivative of h has the amplitude A0 Ω^k. One
+/// of these amplitudes is stated, and stays where the frequency changes. Cannot be built invalid.
 class HarmonicExcitation {
  public:
   /// Throws FieldError.
   explicit HarmonicExcitation(const HarmonicMotion& motion);
 
   [[nodiscard]] double frequency_hz() const noexcept { return motion_.frequency_hz; }
-  [[nodiscard]] double amplitude() const noexcept { return motion_.amplitude; }
+  /// A0, m.
+  [[nodiscard]] double amplitude() const noexcept { return motion_.amplitude * unit_amplitude_; }
+  /// A0 where what is stated is 1: Ω^-k, m.
+  [[nodiscard]] double unit_amplitude() const noexcept { return unit_amplitude_; }
+  [[nodiscard]] const HarmonicMotion& motion() const noexcept { return motion_; }
+  /// The same motion by another statement.
+  [[nodiscard]] HarmonicMotion stated_as(AmplitudeOf kind) const;
 
  private:
   HarmonicMotion motion_;
+  double unit_amplitude_;
 };
 
 /// What a Damping is built from; field names are the keys of the table [damping].
