@@ -185,7 +185,8 @@ std::vector<Comparison> comparisons(const FigureTable& figures) {
                           figure.uncertainty,
                           one.value,
                           one.input_uncertainty,
-                          one.numerical_uncertainty};
+                          one.numerical_uncertainty,
+                          one.entry};
   }
   return all;
 }
@@ -207,6 +208,7 @@ std::vector<Bias> biases(const std::vector<Comparison>& comparisons) {
       bias.mean += one->error() / one->measured / n;
       if (one->is_resolved()) ++bias.resolved;
       if (!one->contains_zero()) ++bias.beyond;
+      if (one->entry == 1) ++bias.blind;
     }
     for (const Comparison* one : group)
       bias.spread += std::pow(one->error() / one->measured - bias.mean, 2) / std::max(1.0, n - 1.0);

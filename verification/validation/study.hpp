@@ -76,6 +76,7 @@ struct Comparison {
   double predicted{};              ///< S
   double input_uncertainty{};      ///< u_input
   double numerical_uncertainty{};  ///< u_num
+  int entry{};                     ///< of the prediction in log.csv: 1 was made before the records were read
 
   [[nodiscard]] double error() const { return predicted - measured; }  ///< E = S - D
   [[nodiscard]] double uncertainty() const;  ///< u_val = √(u_D² + u_input² + u_num²)
@@ -91,8 +92,9 @@ struct Comparison {
 struct Bias {
   std::string experiment, quantity, form;
   std::size_t points{}, resolved{}, beyond{};  ///< all; with |E| ≥ u_val; with zero outside E ± 2 u_val
-  double mean{};                               ///< of E/D
-  double spread{};                             ///< its standard deviation
+  std::size_t blind{};  ///< of the points, those predicted before the records were read
+  double mean{};        ///< of E/D
+  double spread{};      ///< its standard deviation
 };
 
 [[nodiscard]] std::vector<Bias> biases(const std::vector<Comparison>& comparisons);
@@ -102,6 +104,6 @@ STICKSLIP_MEMBERS(Comparison, (experiment, "-"), (record, "-"), (quantity, "-"),
                   (input_uncertainty, "SI"), (numerical_uncertainty, "SI"), (error(), "SI"),
                   (uncertainty(), "SI"), (is_resolved(), "-"), (contains_zero(), "-"))
 STICKSLIP_MEMBERS(Bias, (experiment, "-"), (quantity, "-"), (form, "-"), (points, "1"), (resolved, "1"),
-                  (beyond, "1"), (mean, "1"), (spread, "1"))
+                  (beyond, "1"), (blind, "1"), (mean, "1"), (spread, "1"))
 
 }  // namespace stickslip::validation
