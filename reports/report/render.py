@@ -17,6 +17,7 @@ Exit status: 2 for test results that cannot be used, 1 for any other error.
 import collections
 import csv
 import decimal
+import functools
 import hashlib
 import json
 import math
@@ -261,12 +262,14 @@ def paper_index(kind, count, tests, claims):
                "claims": [claim for claim in claims if number in numbers_named(claim["place"], kind)]}
 
 
-def requirements_of(tests):
-    by_requirement = {}
-    for test in tests:
-        by_requirement.setdefault(test["requirement"], []).append(test)
-    for name, serving in by_requirement.items():
-        yield {"name": name, "text": serving[0]["requirement_text"], "source": serving[0]["source"], "tests": serving}
+def requirements_of(stated, tests):
+    """The requirements as verification/requirements.toml states them, each with the tests that serve it.
+
+    >>> [(one["name"], len(one["tests"])) for one in requirements_of([["A1", "what", "where"], ["A2", "", ""]], [{"requirement": "A2"}])]
+    [('A1', 0), ('A2', 1)]
+    """
+    return [{"name": name, "text": text, "source": source, "tests": [test for test in tests if test["requirement"] == name]}
+            for name, text, source in stated]
 
 
 INPUT_PLACES = ("case file", "option", "column", "package")
@@ -304,6 +307,37 @@ def largest(values):
     return math.nan if any(map(math.isnan, numbers)) else max(numbers)
 
 
+def product(row, *members):
+    """The product of members of a row, each perhaps a member of a member.
+
+    >>> product({"a": {"b": 2.0}, "c": 3.0}, "a.b", "c"), product({"a": None, "c": 3.0}, "a", "c")
+    (6.0, None)
+    """
+    values = [functools.reduce(lambda value, name: value[name], member.split("."), row) for member in members]
+    return None if None in values else math.prod(values)
+
+
+def published_tolerances(package):
+    """The tolerance of each compared column of the published data sets, by data set and column."""
+    return {one["name"]: {value["field"]: value["tolerance"] for value in one.get("comparison", {}).get("values", [])}
+            for one in package["resources"]}
+
+
+def half_width_shares(folder, package):
+    """The largest half-width of each compared column of the published data, in parts of its tolerance."""
+    shares = []
+    for resource in package["resources"]:
+        rows = list(csv.DictReader((folder / resource["path"]).read_text().splitlines()))
+        for value in resource.get("comparison", {}).get("values", []):
+            name = value["field"]
+            pairs = [(float(row[name]), float(row[name + "_radius"])) for row in rows if row[name] and row.get(name + "_radius")]
+            column = [one for one, _ in pairs]
+            units = {"relative": abs, "scale": lambda _: max(map(abs, column)), "range": lambda _: max(column) - min(column)}
+            unit = units.get(value["norm"], lambda _: 1.0)
+            shares += [radius / unit(one) / value["tolerance"] for one, radius in pairs if radius]
+    return shares
+
+
 def error_ratio(errors, elements, order):
     """The ratio of the errors on the two finest meshes over what an order predicts.
 
@@ -320,28 +354,35 @@ def judged(result, environment, known):
     [False, True, True, False]
     >>> [judged({"value": "a", "least": 2, "most": 3}, environment_for([]), {"a": a})["passed"] for a in (1.5, 2, 3, 3.5, "nan")]
     [False, True, True, False, False]
+    >>> judged({"value": "a", "most": "2 * b"}, environment_for([]), {"a": 3, "b": 1.5})["most"]
+    3.0
     """
     if "value" not in result:
         return result | {"value": None, "value_of": "", "passed": True}
-    value = float(environment.compile_expression(result["value"], undefined_to_none=False)(**known))
+    evaluated = lambda text: float(environment.compile_expression(text, undefined_to_none=False)(**known))
+    value = evaluated(result["value"])
+    result = result | {limit: evaluated(result[limit]) for limit in ("least", "most") if isinstance(result.get(limit), str)}
     return result | {"value": value, "value_of": result["value"], "passed": result.get("least", -math.inf) <= value <= result.get("most", math.inf)}
 
 
 def argued(quantity, results, requirements):
-    """A judged quantity of acceptance.toml with its results, the numbers of tests of its requirements, and whether it is fit for its use.
+    """A judged quantity of acceptance.toml with its results, the numbers of tests of its requirements, and whether it is fit for its use
+    by the numerical error: None where no test has run that could say so.
 
     >>> quantity, result = {"id": "a", "requirements": ["A1"], "passed": True}, {"quantity": "a", "passed": True}
     >>> tests = [{"passed": True, "skipped": False}]
     >>> cases = [(result, tests), (result | {"passed": False}, tests), (result, tests + [{"passed": False, "skipped": False}]),
-    ...          (result | {"quantity": "b", "passed": False}, tests)]
+    ...          (result | {"quantity": "b", "passed": False}, tests), (result, []), (result | {"passed": False}, []),
+    ...          (result, [{"passed": False, "skipped": True}])]
     >>> [argued(quantity, [one], [{"name": "A1", "tests": ran}])["fit"] for one, ran in cases]
-    [True, False, False, True]
+    [True, False, False, True, None, False, None]
     """
     own = [result for result in results if result["quantity"] == quantity["id"]]
-    ran = [test for item in requirements if item["name"] in quantity["requirements"] for test in item["tests"]]
-    failed = sum(not test["passed"] and not test["skipped"] for test in ran)
+    ran = [test for item in requirements if item["name"] in quantity["requirements"] for test in item["tests"] if not test["skipped"]]
+    failed = sum(not test["passed"] for test in ran)
+    is_met = quantity["passed"] and all(result["passed"] for result in own) and not failed
     return quantity | {"results": own, "met": sum(result["passed"] for result in own), "tests": len(ran), "failed": failed,
-                       "fit": quantity["passed"] and all(result["passed"] for result in own) and not failed}
+                       "fit": None if is_met and not ran else is_met}
 
 
 # ---- Speed
@@ -396,6 +437,8 @@ def read_values(templates, data, values):
         known |= tomllib.loads((data / "paper" / f"{file}.toml").read_text())
     known["printed"] = {number["id"]: number for number in known["number"]}
     known["package"] = json.loads((data / "reference" / "datapackage.json").read_text())
+    known["published"] = published_tolerances(known["package"])
+    known["half_width_shares"] = half_width_shares(data / "reference", known["package"])
     mutants = templates.parent.parent / "verification" / "mutants"
     known["mutant_runs"] = list(csv.DictReader((mutants / "summary.csv").read_text().splitlines()))
     known["mutants"] = list({run["part"]: run for run in known["mutant_runs"]}.values())  # the last of each part
@@ -409,7 +452,8 @@ def read_values(templates, data, values):
     processors = re.findall(r"^model name.*: (.*)", Path("/proc/cpuinfo").read_text(), re.MULTILINE)
     known["provenance"] = [("Processor", f"{len(processors)} x {processors[0]}" if processors else "unknown"),
                            ("Data", f"SHA-256 {digest_of(data)} of the folder data")]
-    known["requirements"] = list(requirements_of(known["tests"]))
+    stated = tomllib.loads((templates.parent.parent / "verification" / "requirements.toml").read_text())["requirements"]
+    known["requirements"] = requirements_of(stated, known["tests"])
     known["bad_input"] = bad_input_of(known["tests"])
     known["tolerances"] = [entry for test in known["tests"] for entry in test["tolerances"]]
     accepted = tomllib.loads((templates.parent.parent / "verification" / "acceptance.toml").read_text())
@@ -451,7 +495,7 @@ def shown(value):
     return value
 
 
-FILTERS = (fixed, sig, sci, plain, compact, bound, order, escape, breakable, typeset, distance_from, error_ratio, largest)
+FILTERS = (fixed, sig, sci, plain, compact, bound, order, escape, breakable, typeset, distance_from, error_ratio, largest, product)
 
 
 def environment_for(templates):

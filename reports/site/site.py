@@ -11,6 +11,7 @@ pages as well, so that each test links to its line.
 """
 
 import csv
+import decimal
 import functools
 import json
 import re
@@ -44,12 +45,21 @@ def number(value, digits=6):
     return "" if value is None else Number(f"{value:.{digits}g}", float(value))
 
 
+def rounded_up(value):
+    """As the report gives what others stay within.
+
+    >>> rounded_up(0.0451), rounded_up(None)
+    (Number(text='0.046', value=0.0451), '')
+    """
+    return "" if value is None else Number(f"{float(decimal.Context(2, decimal.ROUND_UP).create_decimal(repr(float(value)))):.2g}", float(value))
+
+
 def words(text):
     return str(text).rstrip(".")
 
 
 def decided(good):
-    return Verdict("yes" if good else "no", good)
+    return "not judged: no tests have run" if good is None else Verdict("yes" if good else "no", good)
 
 
 def unlatexed(text):
@@ -61,7 +71,7 @@ def unlatexed(text):
     for command, word in (("\\fmax", "|f_max|"), ("\\rhoinf", "rho_inf"), ("\\pm", " ± "), ("\\ldots{}", "…"), ("\\infty", "inf")):
         text = text.replace(command, word)
     text = re.sub(r"\\unit{(.*?)}", r" \1", text)
-    text = re.sub(r"\\(?:emph|code|textbf|text|mathrm|ensuremath|href{.*?}){", "{", text)
+    text = re.sub(r"\\(?:emph|code|textbf|text|mathrm|operatorname|ensuremath|href{.*?}){", "{", text)
     text = re.sub(r"\\(?:times|cdot)", " x ", text).replace("\\,", " ").replace("\\%", "%").replace("~", " ")
     return " ".join(re.sub(r"\\([A-Za-z]+)|[{}$]", r"\1", text).split())
 
@@ -356,13 +366,13 @@ class Site:
         for one in self.known["quantities"]:
             rows.append(Row(one["id"], [
                 {"beam": "A beam of one's own", "code": "A check of another code"}[one["use"]], one["what"],
-                one["needed"], number(one["value"], 2), decided(one["fit"]), one["limits"],
+                one["needed"], rounded_up(one["value"]), decided(one["fit"]), one["limits"],
                 [Link(name, f"requirements.html#{name}") for name in one["requirements"]],
                 Verdict(f"{one['tests'] - one['failed']} of {one['tests']}", not one["failed"]) if one["tests"] else "not run",
                 Link(f"{one['met']} of {len(one['results'])}", f"verdicts.html?q={one['id']}&column=Quantity") if one["results"] else "",
                 [Code(f"stickslip {command}") for command in one["commands"]]]))
         return Page("argument", "From use to verdict", [
-            "What the program is for, which quantities that takes, how accurate each must be, and what shows that it is. The report has the same table.",
+            "What the program is for, which quantities that takes, how accurate each must be, and what shows that it is. Fit is of the numerical error alone. The report has the same table.",
             "Commands that compute nothing: " + "; ".join(f"{name} ({why})" for name, why in self.known["excluded"].items()) + "."],
             ["Use", "Quantity", "Needed for the use", "Reached", "Fit", "Limits", "Requirements", "Tests passed", "Criteria met", "Commands"], rows)
 

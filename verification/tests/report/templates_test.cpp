@@ -35,6 +35,7 @@ class ReportTemplates : public ::testing::Test {
     data::write_text(folder_ / "verification" / "mutants" / "survivors.toml", "equivalent = []\n");
     data::write_text(folder_ / "verification" / "acceptance.toml",
                      "result = []\npaper = []\nquantity = []\nexcluded = {}\nguide = []\n");
+    data::write_text(folder_ / "verification" / "requirements.toml", "requirements = []\n");
     fs::create_directories(folder_ / "verification" / "benchmarks" / "results");
     data::write_text(folder_ / "verification" / "benchmarks" / "comparisons.toml", "comparison = []\n");
     data::write_text(folder_ / "verification" / "benchmarks" / "results" / "speed.json",
