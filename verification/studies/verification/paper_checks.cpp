@@ -187,9 +187,10 @@ void add_force_errata(const data::Case& paper, std::vector<ErratumEvidence>& evi
 
 void add_figure_errata(const data::Case& paper, std::vector<ErratumEvidence>& evidence) {
   const FlutterStudy flutter = flutter_study(paper.beam, {8, 16});
-  evidence.push_back({"E8", "critical load of the slip state over EI/L^2 (as printed: a dead load)", "1",
-                      dead_load_buckling(paper.beam, 16), flutter.finite_element.back(), flutter.closed_form,
-                      1e-3});
+  evidence.push_back(
+      {"E8",
+       "critical load of the slip state over EI/L^2 (printed, read as a dead load; corrected: follower)", "1",
+       dead_load_buckling(paper.beam, 16), flutter.finite_element.back(), flutter.closed_form, 1e-3});
   for (int mode = 1; mode <= 2; ++mode) {
     const data::PrintedNumber printed = data::printed_number(figure14_length_id(mode));
     evidence.push_back({"E9", fmt::format("L{} (as printed: without P, corrected: P = 500 N)", mode), "m",

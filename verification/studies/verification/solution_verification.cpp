@@ -92,7 +92,8 @@ void add_resonance_lengths(std::vector<Plan>& plans) {
   const double hz = figure.excitation.frequency_hz();
   for (int mode = 1; mode <= 2; ++mode) {
     const double exact = resonance_length(figure.beam, mode, hz).value();
-    plans.push_back({fmt::format("figure14.length.{}", mode), fmt::format("L{} of Fig. 14", mode), "m", false,
+    plans.push_back({fmt::format("figure14.length.{}", mode), fmt::format("L{} of the paper's Fig. 14", mode),
+                     "m", false,
                      [=](const Settings& at) {
                        return finite_element_resonance_length(figure.beam, mode, hz, at.elements(),
                                                               0.95 * exact, 1.05 * exact);
@@ -131,9 +132,9 @@ void add_first_slips(const data::Case& paper, std::vector<Plan>& plans) {
         with(paper, data::HarmonicExcitation({.frequency_hz = panel.hz, .amplitude = panel.amplitude}));
     const double reference = closed_form_first_slip(problem).value();
     plans.push_back(
-        {fmt::format("figure{}.first_slip", panel.figure), fmt::format("first slip, Fig. {}", panel.figure),
-         "s", true, [=](const Settings& at) { return solver::first_slip(with(problem, at)).value(); },
-         reference,
+        {fmt::format("figure{}.first_slip", panel.figure),
+         fmt::format("first slip, the paper's Fig. {}", panel.figure), "s", true,
+         [=](const Settings& at) { return solver::first_slip(with(problem, at)).value(); }, reference,
          [=] {
            const analytic::StickResponse exact(paper.beam, problem.excitation, reference_modes,
                                                analytic::SteadyPart::exact);
@@ -183,11 +184,11 @@ void add_figure9(const data::Case& paper, std::vector<Plan>& plans) {
                       "predicted drift of the free vibrations"};
   };
   plans.push_back(
-      {"figure9.displacement_peak", "peak of |y(L/2)|, Fig. 9", "m", true,
+      {"figure9.displacement_peak", "peak of |y(L/2)|, the paper's Fig. 9", "m", true,
        [=](const Settings& at) { return peak(at, &solver::BeamSimulation::midspan_displacement); },
        largest_magnitude(figure9_duration, 2e-5, exact.absolute_displacement(midspan)),
        [=] { return drift(exact.transient_displacement(midspan)); }});
-  plans.push_back({"figure9.force_peak", "peak of |f|, Fig. 9", "N", true,
+  plans.push_back({"figure9.force_peak", "peak of |f|, the paper's Fig. 9", "N", true,
                    [=](const Settings& at) { return peak(at, &solver::BeamSimulation::friction_force); },
                    exact.max_abs_friction_force(figure9_duration).midpoint(),
                    [=] { return drift(exact.transient_force()); }});
@@ -213,7 +214,7 @@ void add_first_sticks(const data::Case& paper, std::vector<Plan>& plans) {
                                                                    .levels = 2,
                                                                    .with_midspan = false});
     plans.push_back({fmt::format("figure{}.first_stick", panel),
-                     fmt::format("y(L) after the first slip, Fig. {}", panel), "m", true,
+                     fmt::format("y(L) after the first slip, the paper's Fig. {}", panel), "m", true,
                      [=](const Settings& at) { return first_stick_position(problem, at); },
                      reference.sticks.at(0).position, nullptr});
   }
