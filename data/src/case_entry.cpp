@@ -69,7 +69,8 @@ double number_of(std::string_view path, const Magnitudes& magnitudes, const Entr
     const auto quantity = text == nullptr ? std::nullopt : quantity_in(*text, magnitudes.unit, false);
     if (!quantity)
       throw FieldError(path, entry.description,
-                       quantity_allowed(text == nullptr ? "" : *text, magnitudes.unit));
+                       quantity_allowed(text == nullptr ? "" : *text, magnitudes.unit) +
+                           (path == amplitude_keys.front() ? ", or one of velocity or acceleration" : ""));
     number = *quantity;
   }
   require_magnitude(path, magnitudes, number);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <functional>
 #include <string>
 #include <vector>
@@ -77,7 +78,9 @@ Table table_of(const data::Case& problem, const std::vector<studies::SlipUncerta
 
 Table table_of(const studies::SlipUncertainty& result) {
   const auto& sensitivity = result.sensitivity;
-  Table table{.columns = {{"key", "key", 28},
+  std::size_t longest = 26;
+  for (const auto& row : result.tornado) longest = std::max(longest, row.key.size());
+  Table table{.columns = {{"key", "key", longest + 2},
                           {"5 % ... 95 %", "", 26},
                           {"margin", "", 22},
                           {"", "quantile_5"},

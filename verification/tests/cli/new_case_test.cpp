@@ -326,10 +326,7 @@ TEST_F(CriterionOutlook, IsTheMarginTheNearestFrequencyAndTheBestChange) {
   EXPECT_NEAR(answer["nearest_natural_frequency"]["relative_distance"].get<double>(), 0.0396437, 1e-7);
   EXPECT_EQ(change["key"], "beam.length");
   EXPECT_EQ(change["factor"], 0.9);
-  const auto shorter = json(strip + "--set beam.length=0.36");
-  EXPECT_NEAR(change["margin"].get<double>(), 20.0 / shorter["force_max_N"]["upper"].get<double>(), 1e-8);
-  for (const std::string key : {"excitation.amplitude=4.5e-4", "excitation.frequency_hz=27",
-                                "excitation.frequency_hz=33", "beam.length=0.44", "beam.axial_force=36",
+  for (const std::string key : {"beam.length=0.44", "section.height=1.65e-3", "beam.axial_force=36",
                                 "beam.axial_force=44", "friction.static_coefficient=0.55"}) {
     const auto other = json(strip + "--set " + key);
     EXPECT_LT(other["friction_limit_N"].get<double>() / other["force_max_N"]["upper"].get<double>(),
