@@ -10,6 +10,7 @@
 #include "commands.hpp"
 #include "render/criterion_map.hpp"
 #include "studies/analyses/criterion_answer.hpp"
+#include "studies/analyses/problem_warnings.hpp"
 
 namespace stickslip::cli {
 
@@ -73,6 +74,21 @@ void add_steady_state(Answer& answer, const std::optional<studies::SteadyState>&
                         {"verdict", verdict.json}}}});
 }
 
+void add_bending(Answer& answer, const data::Beam& beam, const studies::CriterionAnswer& found) {
+  if (!found.bending) return;
+  const double draw_back = found.bending->draw_back, spring = studies::spring_that_keeps(beam, draw_back);
+  const auto steady = found.steady_draw_back;
+  answer.add_row({"deflection of the beam / m", "deflection_m", rounded(found.bending->deflection, 3)});
+  answer.add_row(
+      {"draw-back of the tip / m",
+       "draw_back_m",
+       {draw_back, rounded(draw_back, 3).text + (steady ? ", steady " + rounded(*steady, 3).text : "")}});
+  answer.add_row({"spring that keeps P / (N/m)",
+                  "keeping_spring_N_per_m",
+                  {finite_json(spring), "below " + rounded(spring, 3).text}});
+  answer.add_members({{"steady_draw_back_m", optional_json(steady)}});
+}
+
 void add_outlook(Answer& answer, const studies::CriterionAnswer& found, double frequency_hz) {
   const auto& [mode, hz, distance] = found.nearest;
   const double share = 100.0 * std::abs(distance);
@@ -104,6 +120,7 @@ Answer answer_of(const data::Case& problem, const studies::CriterionAnswer& foun
   add_criteria(answer, problem, found);
   add_steady_state(answer, found.steady, problem.numerics.duration());
   add_outlook(answer, found, problem.excitation.frequency_hz());
+  add_bending(answer, problem.beam, found);
   answer.add_line(fmt::format("\nThe largest |f| is that of a start-up {}.",
                               is_damped ? "whose free vibrations decay with the damping of the case"
                                         : "without damping: its free vibrations do not decay"));
@@ -166,8 +183,10 @@ Answer criterion(const CriterionOptions& options, Outputs& outputs) {
   const data::Case problem = case_of(options.problem);
   outputs.about(problem);
   outputs.open({{"--figure", options.figure}});
-  Answer answer = answer_of(problem, studies::criterion_answer(problem, remake_of(options.problem)));
+  const auto found = studies::criterion_answer(problem, remake_of(options.problem));
+  Answer answer = answer_of(problem, found);
   answer.warnings = warnings_of(problem, studies::Inquiry::criterion);
+  if (found.bending) add_warning(answer, studies::draw_back_warning(problem.beam, found.bending->draw_back));
   require_finite(answer.json);
   outputs.draw(problem.name, [&](const report::Look& look) {
     return report::draw(problem, studies::critical_amplitude_curve(problem), look);

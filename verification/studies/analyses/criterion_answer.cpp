@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <tuple>
+#include <utility>
 
 #include "stickslip/analytic/damped_reaction.hpp"
 #include "stickslip/analytic/damped_steady_state.hpp"
@@ -15,6 +17,7 @@
 #include "studies/analyses/problem_warnings.hpp"
 #include "studies/common/parallel.hpp"
 #include "studies/common/problem_parameter.hpp"
+#include "studies/history/method.hpp"
 
 namespace stickslip::studies {
 
@@ -80,6 +83,41 @@ std::optional<SteadyState> steady_state(const data::Case& problem, const StickFr
       .reached = std::ranges::find(warnings, Concern::resonance, &Warning::concern) == warnings.end()};
 }
 
+// At these times, the tip held by as much friction as it takes.
+Bending held_bending(const data::Case& problem, std::vector<double> times) {
+  constexpr int fewest_modes = 10;
+  const double length = problem.beam.length();
+  const data::Case held = data::with_value(
+      with(problem, data::FrictionLaw({.static_coefficient = 1e30, .kinetic_coefficient = 0.0})),
+      "numerics.modes", std::max(fewest_modes, problem.numerics.modes()));
+  Bending bending;
+  std::ignore =
+      event_driven_history(held, {.times = std::move(times), .positions = Bending::positions(length)}, {},
+                           [&](const HistoryRow& row) { bending.include(row, length); });
+  return bending;
+}
+
+// Damped, over a period once the slowest free vibration has fallen to exp(-30). A ratio holds with the tip free, whose first
+// frequency is more than a fifth of the held one.
+double steady_draw_back(const data::Case& problem) {
+  const double first = two_pi * stick_hz(problem.beam, 1), eta = problem.damping.kelvin_voigt() * first;
+  std::vector<double> times;
+  if (is_damped(problem)) {
+    const double ratio = problem.damping.ratio() + (eta > 0.0 ? std::min(0.5 * eta, 1.0 / eta) : 0.0);
+    for (int i = 0; i < 64; ++i)
+      times.push_back(150.0 / (ratio * first) + i / (64.0 * problem.excitation.frequency_hz()));
+    return held_bending(problem, times).draw_back;
+  }
+  const analytic::StickResponse response(problem.beam, problem.excitation, kept_modes(problem),
+                                         SteadyPart::exact);
+  HistoryRow crest;
+  for (const double x : Bending::positions(problem.beam.length()))
+    crest.displacement.push_back(response.steady_displacement_amplitude(x));
+  Bending bending;
+  bending.include(crest, problem.beam.length());
+  return bending.draw_back;
+}
+
 CriticalAmplitudeSearch search(const data::Case& problem, double hz, double increment, double cap) {
   const int steps = static_cast<int>(std::lround(cap / increment));
   const auto at = [&](double amplitude) {
@@ -141,13 +179,26 @@ analytic::Criterion criterion_with_all_modes(const data::Case& problem, double r
           .verdict = analytic::verdict_of(force, limit)};
 }
 
+std::optional<Bending> held_bending(const data::Case& problem) {
+  constexpr int instants = 4096;
+  if (problem.beam.shear_stiffness() > 0.0) return std::nullopt;
+  std::vector<double> times;
+  for (int i = 0; i < instants; ++i)
+    times.push_back(problem.numerics.duration() *
+                    std::pow((i + std::fmod(i * std::numbers::phi, 1.0)) / instants, 3));
+  return held_bending(problem, std::move(times));
+}
+
 CriterionAnswer criterion_answer(const data::Case& problem, const Remake& remake) {
   CriterionAnswer answer{.truncated = criterion_of(problem),
                          .all_modes = criterion_with_all_modes(problem, 1e-10),
                          .steady = {},
                          .nearest = nearest_stick_frequency(problem),
+                         .bending = held_bending(problem),
+                         .steady_draw_back = {},
                          .best_change = {}};
   answer.steady = steady_state(problem, answer.nearest);
+  if (answer.bending && answer.steady) answer.steady_draw_back = steady_draw_back(problem);
   if (problem.excitation.amplitude() > 0.0)
     answer
         .best_change = best_change(problem, [&](std::string_view key, double value) -> std::optional<double> {

@@ -292,6 +292,19 @@ std::optional<std::string> deflection_warning(const data::Beam& beam, double def
       std::abs(deflection), 100.0 * std::abs(deflection) / beam.length(), 100.0 * error);
 }
 
+double spring_that_keeps(const data::Beam& beam, double draw_back) {
+  return 0.1 * beam.axial_force() / draw_back;
+}
+
+std::optional<std::string> draw_back_warning(const data::Beam& beam, double draw_back) {
+  if (!(draw_back > allowed_draw_back)) return std::nullopt;
+  return fmt::format(
+      "the tip draws back from the wall by {:.3g} mm as the beam bends: P = {:.6g} N stays within 10 % only "
+      "if a "
+      "spring softer than {:.3g} N/mm presses the tip, with little mass",
+      1e3 * draw_back, beam.axial_force(), 1e-3 * spring_that_keeps(beam, draw_back));
+}
+
 std::vector<Warning> warnings_common_to(const data::Case& problem,
                                         const std::vector<std::string_view>& varied) {
   if (problem.beam.axial_force() >= analytic::stick_buckling_load(problem.beam)) return {};

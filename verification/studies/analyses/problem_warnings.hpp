@@ -102,6 +102,14 @@ constexpr double share_that_matters = 0.01;
 /// which is 12 % of the length.
 [[nodiscard]] std::optional<std::string> deflection_warning(const data::Beam& beam, double deflection);
 
+/// The stiffness (N/m) of the spring that keeps P to 10 % as the tip draws back by that way (m): P/10 over the way.
+[[nodiscard]] double spring_that_keeps(const data::Beam& beam, double draw_back);
+
+/// The warning that the axial force hardly stays constant: a way above allowed_draw_back, for which P must compress that spring by
+/// more than 1 mm.
+constexpr double allowed_draw_back = 1e-4;  // m
+[[nodiscard]] std::optional<std::string> draw_back_warning(const data::Beam& beam, double draw_back);
+
 /// The warnings for the criterion that hold for all values of the varied parameters: no resonance warning if
 /// one of them changes a frequency, no thick-beam warning if the length or the section is varied, and no warning if P is not
 /// below the buckling load.

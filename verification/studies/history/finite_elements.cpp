@@ -35,7 +35,9 @@ History finite_element_history(const data::Case& problem, const Sampling& sampli
   };
   step_to(for_each_row(problem, sampling, [&](long step, double) {
     step_to(step);
-    add_row(history, sink, row_of(simulation, sampling.positions));
+    add_row(history, sink,
+            row_of(simulation,
+                   step % sampling.positions_every == 0 ? sampling.positions : std::vector<double>()));
   }));
   auto events = simulation.integrator().events();
   for (auto& event : events) event.position += problem.wall.speed() * event.time;

@@ -22,6 +22,25 @@ namespace stickslip::studies {
 using data::ContactChange;
 using data::ContactEvent;
 
+std::vector<double> Bending::positions(double length) {
+  constexpr int intervals = 16;
+  std::vector<double> positions;
+  for (int i = 0; i <= intervals; ++i) positions.push_back(length * i / intervals);
+  return positions;
+}
+
+void Bending::include(const HistoryRow& row, double length) {
+  const std::vector<double>& y = row.displacement;
+  double fine = 0.0, coarse = 0.0;
+  for (std::size_t i = 1; i < y.size(); ++i) {
+    deflection = std::max(deflection, std::abs(y[i] - row.base_displacement));
+    fine += std::pow(y[i] - y[i - 1], 2);
+    if (i % 2 == 0) coarse += std::pow(y[i] - y[i - 2], 2);
+  }
+  const double interval = length / static_cast<double>(y.size() - 1);
+  draw_back = std::max(draw_back, (8.0 * fine - coarse) / (12.0 * interval));
+}
+
 void add_row(History& history, const RowSink& sink, HistoryRow row) {
   if (sink)
     sink(row);
