@@ -181,6 +181,20 @@ std::string conditions_of(const data::Case& problem, const std::optional<analyti
       amplitude, text(problem.numerics.duration()));
 }
 
+void add_bending(Answer& answer, const data::Beam& beam, const studies::Bending& bending,
+                 const std::optional<double>& steady) {
+  const double spring = studies::spring_that_keeps(beam, bending.draw_back);
+  answer.add_row({"deflection of the beam / m", "deflection_m", rounded(bending.deflection, 3)});
+  answer.add_row({"draw-back of the tip / m",
+                  "draw_back_m",
+                  {bending.draw_back, rounded(bending.draw_back, 3).text +
+                                          (steady ? ", steady " + rounded(*steady, 3).text : "")}});
+  if (steady) answer.add_members({{"steady_draw_back_m", *steady}});
+  answer.add_row({"spring that keeps P / (N/m)",
+                  "keeping_spring_N_per_m",
+                  {finite_json(spring), "below " + rounded(spring, 3).text}});
+}
+
 Json problem_json(const data::Case& problem) {
   Json tables;
   const auto numbers = data::numbers_of(problem);

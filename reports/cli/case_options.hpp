@@ -90,6 +90,10 @@ void add_excitation(Answer& answer, const data::Case& problem,
 [[nodiscard]] std::string conditions_of(const data::Case& problem,
                                         const std::optional<analytic::FrequencyBand>& band = {});
 
+/// Rows with the largest bending of the beam, and with the spring that keeps P.
+void add_bending(Answer& answer, const data::Beam& beam, const studies::Bending& bending,
+                 const std::optional<double>& steady_draw_back = {});
+
 /// All numbers of the case in SI units, those of default_numerics() among them, by tables and keys; null for one that is infinite.
 [[nodiscard]] Json problem_json(const data::Case& problem);
 

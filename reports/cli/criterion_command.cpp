@@ -74,21 +74,6 @@ void add_steady_state(Answer& answer, const std::optional<studies::SteadyState>&
                         {"verdict", verdict.json}}}});
 }
 
-void add_bending(Answer& answer, const data::Beam& beam, const studies::CriterionAnswer& found) {
-  if (!found.bending) return;
-  const double draw_back = found.bending->draw_back, spring = studies::spring_that_keeps(beam, draw_back);
-  const auto steady = found.steady_draw_back;
-  answer.add_row({"deflection of the beam / m", "deflection_m", rounded(found.bending->deflection, 3)});
-  answer.add_row(
-      {"draw-back of the tip / m",
-       "draw_back_m",
-       {draw_back, rounded(draw_back, 3).text + (steady ? ", steady " + rounded(*steady, 3).text : "")}});
-  answer.add_row({"spring that keeps P / (N/m)",
-                  "keeping_spring_N_per_m",
-                  {finite_json(spring), "below " + rounded(spring, 3).text}});
-  answer.add_members({{"steady_draw_back_m", optional_json(steady)}});
-}
-
 void add_outlook(Answer& answer, const studies::CriterionAnswer& found, double frequency_hz) {
   const auto& [mode, hz, distance] = found.nearest;
   const double share = 100.0 * std::abs(distance);
@@ -120,11 +105,19 @@ Answer answer_of(const data::Case& problem, const studies::CriterionAnswer& foun
   add_criteria(answer, problem, found);
   add_steady_state(answer, found.steady, problem.numerics.duration());
   add_outlook(answer, found, problem.excitation.frequency_hz());
-  add_bending(answer, problem.beam, found);
+  if (found.bending) add_bending(answer, problem.beam, *found.bending, found.steady_draw_back);
   answer.add_line(fmt::format("\nThe largest |f| is that of a start-up {}.",
                               is_damped ? "whose free vibrations decay with the damping of the case"
                                         : "without damping: its free vibrations do not decay"));
   return answer;
+}
+
+std::vector<std::string> warnings_about(const data::Case& problem, const studies::CriterionAnswer& found) {
+  auto warnings = warnings_of(problem, studies::Inquiry::criterion);
+  if (const auto bending = found.bending)
+    if (const auto warning = studies::draw_back_warning(problem.beam, bending->draw_back))
+      warnings.push_back(*warning);
+  return warnings;
 }
 
 data::Case case_of(const CaseOptions& options, const std::vector<data::Override>& point = {}) {
@@ -159,7 +152,8 @@ Answer table_of_cases(const CriterionOptions& options, Outputs& outputs) {
   for (const CaseOptions& one : cases)
     for (const auto& point : points) {
       const data::Case problem = case_of(one, point);
-      const analytic::Criterion found = studies::criterion_answer(problem).all_modes;
+      const studies::CriterionAnswer answered = studies::criterion_answer(problem);
+      const analytic::Criterion& found = answered.all_modes;
       auto& row = table.rows.emplace_back(std::vector{word(problem.name)});
       for (const data::Override& key : point) row.push_back(word(key.value));
       row.insert(
@@ -168,7 +162,7 @@ Answer table_of_cases(const CriterionOptions& options, Outputs& outputs) {
            middle(found.force_max), exact(found.friction_limit), middle(found.critical_amplitude),
            problem.excitation.amplitude() > 0.0 ? middle(studies::margin_of(found)) : Value{nullptr, "-"},
            word(to_string(found.verdict))});
-      for (const std::string& warning : warnings_of(problem, studies::Inquiry::criterion))
+      for (const std::string& warning : warnings_about(problem, answered))
         add_warning(answer, problem.name + ": " + warning);
       progress(static_cast<double>(table.rows.size()) / static_cast<double>(cases.size() * points.size()));
     }
@@ -185,8 +179,7 @@ Answer criterion(const CriterionOptions& options, Outputs& outputs) {
   outputs.open({{"--figure", options.figure}});
   const auto found = studies::criterion_answer(problem, remake_of(options.problem));
   Answer answer = answer_of(problem, found);
-  answer.warnings = warnings_of(problem, studies::Inquiry::criterion);
-  if (found.bending) add_warning(answer, studies::draw_back_warning(problem.beam, found.bending->draw_back));
+  answer.warnings = warnings_about(problem, found);
   require_finite(answer.json);
   outputs.draw(problem.name, [&](const report::Look& look) {
     return report::draw(problem, studies::critical_amplitude_curve(problem), look);

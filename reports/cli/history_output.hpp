@@ -42,6 +42,7 @@ class HistoryOutput {
   [[nodiscard]] long rows() const { return rows_; }
   [[nodiscard]] double largest_force() const { return largest_force_; }            ///< max |f|, N
   [[nodiscard]] double largest_deflection() const { return largest_deflection_; }  ///< max |y(L) - h|, m
+  [[nodiscard]] const studies::Bending& bending() const { return bending_; }       ///< of rows with positions
 
  private:
   class Drawing;
@@ -60,6 +61,7 @@ class HistoryOutput {
   std::atomic<double> time_{};
   long taken_{}, rows_{};
   double largest_force_{}, largest_deflection_{};
+  studies::Bending bending_;
 };
 
 }  // namespace stickslip::cli

@@ -47,6 +47,7 @@ Answer answer_of(const data::Case& problem, const RespondOptions& options, const
       "largest |f| {:.4g} N, largest deflection of the tip {:.4g} m; {}", output.largest_force(),
       output.largest_deflection(),
       history.first_slip ? fmt::format("first slip at {:.6g} s", *history.first_slip) : "no slip"));
+  if (output.bending().deflection > 0.0) add_bending(answer, problem.beam, output.bending());
   return answer;
 }
 
@@ -68,12 +69,18 @@ Answer respond(const RespondOptions& options, Outputs& outputs) {
   });
   // Of a method in time steps all of them are looked at, so that the largest values are those of the run.
   const long step = method.in_time_steps ? 1 : output.row_step();
-  const auto history = method.run(problem, {.every = step}, choices,
-                                  [&](const studies::HistoryRow& row) { output.add(row, step); });
+  studies::Sampling sampling{.every = step};
+  if (method.name != "boundary-integral") {  // each position would take it half of its time again
+    sampling.positions = studies::Bending::positions(problem.beam.length());
+    sampling.positions_every = studies::usual_row_step(problem, problem.numerics.duration());
+  }
+  const auto history =
+      method.run(problem, sampling, choices, [&](const studies::HistoryRow& row) { output.add(row, step); });
   output.finish(history);
   Answer answer = answer_of(problem, options, history, output);
   answer.warnings = studies::warnings_after(problem, method.inquiry, history);
   add_warning(answer, studies::deflection_warning(problem.beam, output.largest_deflection()));
+  add_warning(answer, studies::draw_back_warning(problem.beam, output.bending().draw_back));
   return answer;
 }
 

@@ -97,6 +97,25 @@ void warn_of_resonance(const data::Case& problem, std::vector<Warning>& warnings
            end, data::shortest_text(duration))});
 }
 
+void warn_of_distance(const data::Case& problem, std::vector<Warning>& warnings) {
+  const double omega = angular_frequency(problem.excitation);
+  const auto distance = [&](const analytic::ModalForce& mode) {
+    return std::hypot(
+        mode.angular_frequency / omega - 1.0,
+        problem.damping.ratio() + 0.5 * problem.damping.kelvin_voigt() * mode.angular_frequency);
+  };
+  const auto modes = analytic::modal_forces(problem.beam, problem.numerics.modes());
+  const auto nearest = std::ranges::min_element(modes, {}, distance);
+  if (problem.excitation.amplitude() == 0.0 || distance(*nearest) >= least_resonance_distance) return;
+  const double share = nearest->angular_frequency / omega - 1.0;
+  warnings.push_back({Concern::near_resonance, std::abs(share), least_resonance_distance,
+                      fmt::format("natural frequency {} is only {} from excitation.frequency_hz: 1 % of "
+                                  "error in it changes the force "
+                                  "by up to {:.2g} %; keep {} away",
+                                  nearest - modes.begin() + 1, percent(std::abs(share)),
+                                  1.0 / distance(*nearest), percent(least_resonance_distance))});
+}
+
 void warn_of_thickness(const data::Beam& beam, bool slip, int mode, std::vector<Warning>& warnings) {
   if (beam.shear_stiffness() > 0.0) return;
   const double error = slip ? slip_model_error(beam, mode) : stick_model_error(beam, mode);
@@ -193,6 +212,8 @@ std::vector<Warning> warnings_without_effect(const data::Case& problem, Inquiry 
   if (may_slip(inquiry)) warn_of_instability(problem.beam, warnings);
   if (inquiry == Inquiry::criterion || inquiry == Inquiry::closed_form_history)
     warn_of_resonance(problem, warnings);
+  if (inquiry == Inquiry::criterion && (warnings.empty() || warnings.back().concern != Concern::resonance))
+    warn_of_distance(problem, warnings);
   const int mode = is_about_frequencies(inquiry) ? frequencies : highest_mode_that_matters(problem);
   warn_of_thickness(problem.beam, inquiry == Inquiry::slip_frequencies, mode, warnings);
   if (inquiry == Inquiry::stepped_history) warn_of_step(problem, mode, warnings);
@@ -318,8 +339,9 @@ std::vector<Warning> warnings_common_to(const data::Case& problem,
   };
   auto warnings = warnings_without_effect(problem, Inquiry::criterion, 0);
   std::erase_if(warnings, [&](const Warning& warning) {
-    return warning.concern == Concern::resonance ? std::ranges::any_of(varied, moves_a_frequency)
-                                                 : std::ranges::any_of(varied, changes_the_proportions);
+    return warning.concern == Concern::resonance || warning.concern == Concern::near_resonance
+               ? std::ranges::any_of(varied, moves_a_frequency)
+               : std::ranges::any_of(varied, changes_the_proportions);
   });
   return warnings;
 }

@@ -14,7 +14,7 @@
 
 namespace stickslip::studies {
 
-enum class Concern { flutter, buckling, resonance, thick_beam, long_step, growth };
+enum class Concern { flutter, buckling, resonance, near_resonance, thick_beam, long_step, growth };
 
 struct Warning {
   Concern concern{};
@@ -27,6 +27,10 @@ struct Warning {
 /// The largest relative frequency error, from rotary inertia and shear, at which Euler-Bernoulli theory is
 /// accepted.
 constexpr double allowed_model_error = 0.05;
+/// The least distance √(d² + ζ²) of the excitation from a natural frequency, d = (ω_n - Ω)/Ω and ζ the damping ratio of the mode. The
+/// mode vibrates in proportion to its inverse, so that 1 % of error in ω_n changes the force by up to 10 % at this distance, by up
+/// to 20 % at half of it.
+constexpr double least_resonance_distance = 0.1;
 /// A mode is relevant if its free vibration has more than this fraction of max |f|.
 constexpr double share_that_matters = 0.01;
 
@@ -57,6 +61,7 @@ constexpr double share_that_matters = 0.01;
 /// - resonance, for an undamped |f| in closed form: a natural frequency of the stick state is so close to
 ///   Ω that |f| grows over the whole duration T, |Ω - ω_n| T ≤ π (half a beat), and reaches at
 ///   least ten times the quasi-static response, Ω T/2 ≥ 10.
+/// - near resonance, for the criterion, where resonance is not warned of: least_resonance_distance is not kept.
 /// - thick beam: stick_model_error() of the highest relevant mode, or of the highest one asked for, is above
 ///   allowed_model_error, and the beam has no shear stiffness. For the undamped criterion with shear_effect().
 /// - long step, for time integration: step_error() of the highest relevant mode, or of a vibration at Ω,
