@@ -8,9 +8,11 @@
 #include "stickslip/analytic/timoshenko_modes.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
+#include "studies/analyses/criterion_answer.hpp"
 #include "studies/common/discretisation.hpp"
 #include "studies/common/problem_parameter.hpp"
 #include "studies/history/method.hpp"
+#include "support/random_cases.hpp"
 #include "support/testing.hpp"
 
 namespace stickslip::testing {
@@ -190,6 +192,87 @@ TEST(Resonance, IsNoConcernOfAShortADampedOrAnUnmovedBeam) {
   EXPECT_FALSE(warns_at_resonance(Inquiry::criterion, {{"excitation.amplitude", "0"}}));
 }
 
+// The steady force follows 1/(1 - (omega_n/Omega)^2): 1 % of omega_n changes it by about 1 % over the distance.
+TEST(Resonance, IsWarnedOfWithinTenPercent) {
+  const double natural = analytic::stick_modes(paper_with().beam, 1).front().frequency_hz();
+  for (const double share : {-0.3, -0.11, -0.09, 0.09, 0.11, 0.3}) {
+    const std::string hz = digits(natural / (1.0 + share));
+    const auto at = [&](const std::vector<data::Override>& more) {
+      std::vector<data::Override> overrides{{"excitation.frequency_hz", hz}};
+      overrides.insert(overrides.end(), more.begin(), more.end());
+      return paper_with(overrides);
+    };
+    const bool is_near = std::abs(share) < 0.1;
+    EXPECT_EQ(warns(at({}), Inquiry::criterion, Concern::near_resonance), is_near) << share;
+    EXPECT_FALSE(warns(at({{"damping.ratio", "0.1"}}), Inquiry::criterion, Concern::near_resonance));
+    EXPECT_FALSE(warns(at({}), Inquiry::stepped_history, Concern::near_resonance));
+    const auto force = [&](double factor) {
+      const data::Case problem = at({{"beam.density", digits(1000.0 / (factor * factor))}});
+      return std::abs(analytic::StickResponse(problem.beam, problem.excitation, 40).steady_force_amplitude());
+    };
+    EXPECT_EQ(std::max(force(1.01), force(0.99)) > 1.105 * force(1.0), is_near) << share;
+  }
+}
+
+// --- Draw-back
+
+STICKSLIP_VERIFIES(DrawBack, "X21");
+// By elements: the slopes between 101 positions, at each step of a run whose tip friction holds.
+TEST(DrawBack, IsThatOfFiniteElements) {
+  on_random_cases(8, {.highest_frequency = 2.0}, [](const CaseText& text, RandomNumbers&) {
+    const data::Case problem =
+        data::with_value(with(text.problem(), data::FrictionLaw({.static_coefficient = 1e9})),
+                         "numerics.spectral_radius", 1.0);
+    const double length = problem.beam.length();
+    studies::Sampling sampling{.every = 4};
+    for (int i = 0; i <= 100; ++i) sampling.positions.push_back(length * i / 100);
+    double draw_back = 0.0, deflection = 0.0;
+    std::ignore = studies::finite_element_history(problem, sampling, {}, [&](const studies::HistoryRow& row) {
+      double sum = 0.0;
+      for (std::size_t i = 1; i < row.displacement.size(); ++i) {
+        sum += std::pow(row.displacement[i] - row.displacement[i - 1], 2) / (2.0 * length / 100);
+        deflection = std::max(deflection, std::abs(row.displacement[i] - row.base_displacement));
+      }
+      draw_back = std::max(draw_back, sum);
+    });
+    const auto bending = studies::held_bending(problem);
+    const auto sampled = [](double value) { return discretisation(0.01 * value, 1.0, "instants"); };
+    EXPECT_TRUE(within(bending->draw_back, draw_back, sampled(draw_back)));
+    EXPECT_TRUE(within(bending->deflection, deflection, sampled(deflection)));
+  });
+}
+
+// Values of a program of its own, with the modes of the continuous beam.
+TEST(DrawBack, HasKnownValuesAndIsWarnedOf) {
+  const auto expect = [](const data::Case& problem, double start_up, double steady, bool is_warned_of) {
+    const auto found = studies::criterion_answer(problem);
+    EXPECT_TRUE(
+        within(found.bending->draw_back, start_up, reference(0.01 * start_up, "two or three digits")));
+    EXPECT_TRUE(within(*found.steady_draw_back, steady, reference(0.01 * steady, "two or three digits")));
+    EXPECT_EQ(studies::draw_back_warning(problem.beam, found.bending->draw_back).has_value(), is_warned_of);
+    EXPECT_DOUBLE_EQ(studies::spring_that_keeps(problem.beam, 1e-3), 100.0 * problem.beam.axial_force());
+  };
+  CaseText strip;
+  for (const auto& [key, value] : {std::pair{"beam.length", "0.4"},
+                                   {"beam.material", "\"steel\""},
+                                   {"beam.axial_force", "40"},
+                                   {"section.shape", "\"rectangle\""},
+                                   {"section.width", "0.03"},
+                                   {"section.height", "0.0015"},
+                                   {"friction.static_coefficient", "0.5"},
+                                   {"friction.kinetic_coefficient", "0.3"},
+                                   {"excitation.frequency_hz", "30"},
+                                   {"excitation.amplitude", "0.5e-3"}})
+    strip.set(key, std::string(value));
+  expect(strip.problem(), 0.605e-3, 0.160e-3, true);
+  strip.set("damping.kelvin_voigt", 1e-9);  // the steady vibration by the other way
+  expect(strip.problem(), 0.605e-3, 0.160e-3, true);
+  expect(paper_with({{"excitation.frequency_hz", "35"}, {"excitation.amplitude", "0.5e-3"}}), 4.37e-6,
+         0.763e-6, false);
+  expect(data::load_case("rig", {{"excitation.frequency_hz", "10"}, {"excitation.amplitude", "7.84e-3"}}),
+         0.135e-3, 0.133e-3, true);
+}
+
 // --- Flutter
 
 STICKSLIP_VERIFIES(Flutter, "X21");
@@ -264,7 +347,7 @@ TEST(ProblemWarnings, OfAMapAreThoseThatItsAxesLeaveAsTheyAre) {
                            const std::vector<std::string_view>& axes) {
     return concerns_of(studies::warnings_common_to(paper_with(overrides), axes));
   };
-  const std::vector<data::Override> resonant, fast{{"excitation.frequency_hz", "300"}};
+  const std::vector<data::Override> resonant, fast{{"excitation.frequency_hz", "230"}};
   for (const std::string_view axis : {"friction.static_coefficient", "beam.axial_direction"})
     EXPECT_EQ(concerns(resonant, {"excitation.amplitude", axis}), std::vector{Concern::resonance});
   EXPECT_EQ(concerns(fast, {"excitation.amplitude", "friction.static_coefficient"}),
