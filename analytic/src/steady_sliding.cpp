@@ -146,11 +146,19 @@ std::vector<SlidingMode> sliding_modes(const Mobility& mobility,
   for (const double omega : angular_frequencies) {
     // Off the axis, on which Y may be infinite.
     const auto free_root = root_near(mobility, 0.0, Complex(-1e-6, 1.0) * omega);
-    if (!free_root) break;
+    const auto is = [](Complex root, Complex other) {
+      return std::abs(root - other) < 1e-6 * std::abs(other);
+    };
+    if (!free_root || (!modes.empty() && is(*free_root, modes.back().free_root))) break;
+    auto hopf = hopf_near(mobility, free_root->imag());
+    if (hopf) {  // of this mode, or of another one
+      const auto root = root_at(mobility, hopf->slope, *free_root);
+      if (!root || !is(*root, Complex(0.0, hopf->angular_frequency))) hopf.reset();
+    }
     const Complex residue = 1.0 / derivative(impedance, *free_root);
     modes.push_back({.free_root = *free_root,
                      .one_mode_slope = -free_root->real() / residue.real(),
-                     .hopf = hopf_near(mobility, free_root->imag()),
+                     .hopf = hopf,
                      .root = root_at(mobility, kappa, *free_root)});
   }
   return modes;

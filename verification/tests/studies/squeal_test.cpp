@@ -14,6 +14,7 @@
 #include "studies/analyses/contact_response.hpp"
 #include "studies/history/method.hpp"
 #include "support/contact_models.hpp"
+#include "support/random_beams.hpp"
 #include "support/testing.hpp"
 
 namespace stickslip::testing {
@@ -164,6 +165,29 @@ TEST(SteadySliding, OneModeHasTheFormulaOfNegativeDamping) {
   EXPECT_LT(std::abs(coupling[0]), 1e-5);
   EXPECT_GT(coupling[0] / coupling[1], 3.9);
   EXPECT_LT(coupling[0] / coupling[1], 4.1);
+}
+
+// The eigenvalue of a mesh that begins at the mode without friction, followed to the slope held. Heavy damping of the higher
+// modes lets some of them never reach the axis.
+TEST(SteadySliding, SlopeHeldIsThatOfTheModeItself) {
+  int crossing = 0, held = 0;
+  on_random_beams(16, {0.02, 0.1}, [&](const data::Beam& beam, RandomNumbers& numbers) {
+    data::Case problem = with(viscous_reed(), beam);
+    const auto frequencies = free_frequencies(problem, 3);
+    problem.damping = data::Damping({.kelvin_voigt = numbers.log_uniform(0.003, 0.1) / frequencies.front()});
+    const auto mesh = mesh_of(problem, 10);
+    for (const auto& mode :
+         analytic::sliding_modes(analytic::TipMobility(beam, problem.damping), frequencies, 0.0)) {
+      (mode.hopf ? crossing : held) += 1;
+      if (!mode.hopf) continue;
+      Complex root = mode.free_root;
+      for (int i = 0; i <= 50; ++i)
+        root = nearest(solver::sliding_eigenvalues(mesh, mode.hopf->slope * i / 50.0), root);
+      EXPECT_NEAR(root.imag() / mode.hopf->angular_frequency, 1.0, 0.01);
+      EXPECT_LT(std::abs(root.real() / root.imag()), 0.01);
+    }
+  });
+  EXPECT_GE(std::min(crossing, held), 3);
 }
 
 TEST(SteadySliding, MapHasTheBoundaryOfTheHopfPoint) {

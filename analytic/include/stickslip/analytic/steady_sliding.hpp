@@ -69,14 +69,15 @@ struct HopfPoint {
 struct SlidingMode {
   std::complex<double> free_root;  ///< s_k, 1/s
   double one_mode_slope{};         ///< κ_k, N s/m
-  std::optional<HopfPoint> hopf;   ///< nothing if the mode does not reach the axis
+  std::optional<HopfPoint>
+      hopf;  ///< of this mode, followed from κ = 0; nothing if it does not reach the axis
   std::optional<std::complex<double>>
       root;  ///< of Z = κ, 1/s; nothing if the search loses it (overdamped modes)
 };
 
 /// The modes near the natural frequencies given (rad/s, of the structure without damping and friction) at the slope
 /// `kappa`, N s/m. Newton's method on Z, followed from κ = 0: to the accuracy of the mobility. A mode without a root
-/// s_k in the upper half plane (more than critically damped) is left out, with all that follow.
+/// s_k of its own in the upper half plane (more than critically damped) is left out, with all that follow.
 [[nodiscard]] std::vector<SlidingMode> sliding_modes(const Mobility& mobility,
                                                      const std::vector<double>& angular_frequencies,
                                                      double kappa);
