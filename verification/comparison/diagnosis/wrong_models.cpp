@@ -254,7 +254,9 @@ OptionalValues held_values(const WrongModelRecipe& model, const data::Case& prob
 std::vector<double> steady_values(const WrongModelRecipe& model, const data::Case& problem, Quantity quantity,
                                   const std::vector<double>& frequencies) {
   using Complex = std::complex<double>;
-  const solver::ContactSystem system = meshed_beam(model, problem, 0.0).system;
+  const MeshedBeam beam = meshed_beam(model, problem, 0.0);
+  const solver::ContactSystem& system = beam.system;
+  const Eigen::VectorXd at_middle = beam.mesh.interpolation(0.5 * problem.beam.length());
   const Eigen::MatrixXd stiffness(system.slip_stiffness), mass(system.mass), damping(system.damping);
   const double amplitude = problem.excitation.amplitude();
   const double first = analytic::stick_modes(problem.beam, 1).front().angular_frequency();
@@ -271,7 +273,7 @@ std::vector<double> steady_values(const WrongModelRecipe& model, const data::Cas
     Eigen::VectorXcd prescribed = load;
     prescribed[c] = -amplitude;
     const Eigen::VectorXcd u = held.partialPivLu().solve(prescribed);
-    const Complex middle = (model.is_relative ? 0.0 : amplitude) + u[std::max<Eigen::Index>(c / 2 - 1, 0)];
+    const Complex middle = (model.is_relative ? 0.0 : amplitude) + at_middle.cast<Complex>().dot(u);
     const Complex force = load[c] - (whole.row(c) * u)(0);
     if (quantity == steady_amplitude) return std::abs(middle);
     if (quantity == steady_phase) return std::arg(middle);

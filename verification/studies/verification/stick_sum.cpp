@@ -67,11 +67,13 @@ double sliding_velocity(const FrictionRule& law, const data::FrictionLaw& fricti
 void add_sample(TipRun& run, Eigen::Index contact, const solver::PrescribedMotion& base, double t,
                 const Eigen::VectorXd& displacement, const Eigen::VectorXd& velocity, double force) {
   const Eigen::Index middle = std::max<Eigen::Index>(contact / 2 - 1, 0);
+  // With an odd number of elements the index is that of a rotation: no node is in the middle.
+  const double at_node = middle % 2 == 0 || contact % 2 != 0 ? 1.0 : std::nan("");
   const double h = base.displacement(t), rate = base.velocity(t);
   run.tip_displacement.push_back(h + displacement[contact]);
-  run.midspan_displacement.push_back(h + displacement[middle]);
+  run.midspan_displacement.push_back(h + at_node * displacement[middle]);
   run.tip_velocity.push_back(rate + velocity[contact]);
-  run.midspan_velocity.push_back(rate + velocity[middle]);
+  run.midspan_velocity.push_back(rate + at_node * velocity[middle]);
   run.friction_force.push_back(-force);
 }
 

@@ -96,8 +96,8 @@ struct TipRun {
   std::vector<double> friction_force{};    ///< f, N, sign of Eq. (28)
   std::vector<double> tip_velocity{};      ///< y_t(L), m/s
   /// y(L/2), m, and y_t(L/2), m/s, if the mesh of a beam has an even number of elements.
-  std::vector<double> midspan_displacement{}, midspan_velocity{};
-  std::vector<double> events{};  ///< times of onsets and captures, s
+  std::vector<double> midspan_displacement{}, midspan_velocity{};  ///< NaN on an odd number of elements
+  std::vector<double> events{};                                    ///< times of onsets and captures, s
 };
 
 /// The velocities of the start: the quasi-static shape to that of the base, u_t = 0, or y_t = 0.

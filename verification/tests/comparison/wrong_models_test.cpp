@@ -995,6 +995,16 @@ TEST(ReferenceResultsOf, AreUncertainByARunOnHalfTheElements) {
   }
 }
 
+// Where no node is, too: on 15 elements as on 16, up to the error of both.
+TEST(ReferenceResultsOf, AreTakenInTheMiddleOfTheBeam) {
+  const data::Case problem = case_for("damped", Quantity::steady_amplitude);
+  const auto on = [&](int elements) {
+    return comparison::reference_result(with_numerics(problem, elements, 1e-4), Quantity::steady_amplitude,
+                                        {35.0})[0];
+  };
+  EXPECT_NEAR(on(15) / on(16), 1.0, 1e-3);
+}
+
 TEST(ReferenceResultsOf, HasTheTruthOfBothImplementations) {
   const data::Case held = case_for("strip", Quantity::critical_amplitude);
   const data::HarmonicExcitation at_35({.frequency_hz = 35.0, .amplitude = 1.0});
