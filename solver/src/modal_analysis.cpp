@@ -40,13 +40,13 @@ void require_count(int count, Eigen::Index available) {
                          "1 ... " + std::to_string(available) + ", the degrees of freedom of the mesh");
 }
 
-// Eigenpairs μ, φ of K_slip⁻¹ M φ = μ φ, by falling |μ|.
+// Eigenpairs μ, φ of K⁻¹ M φ = μ φ, by falling |μ|.
 struct SlipEigenpairs {
   Eigen::VectorXcd mu;
   Eigen::MatrixXcd shapes;
 };
 
-SlipEigenpairs slip_eigenpairs(const BeamModel& model) {
+SlipEigenpairs slip_eigenpairs(const BeamModel& model, const SparseMatrix& stiffness) {
   // With rotations times the element length every degree of freedom is a length: pivots, and the accuracy of
   // the unsymmetric problem, do not depend on the unit.
   Eigen::VectorXd per_length = Eigen::VectorXd::Ones(model.degrees_of_freedom());
@@ -56,8 +56,7 @@ SlipEigenpairs slip_eigenpairs(const BeamModel& model) {
     return Eigen::MatrixXd(per_length.asDiagonal() * Eigen::MatrixXd(matrix) * per_length.asDiagonal());
   };
   const Eigen::MatrixXd flexibility_times_mass =
-      Eigen::PartialPivLU<Eigen::MatrixXd>(as_lengths(model.slip_stiffness()))
-          .solve(as_lengths(model.mass()));
+      Eigen::PartialPivLU<Eigen::MatrixXd>(as_lengths(stiffness)).solve(as_lengths(model.mass()));
   const Eigen::EigenSolver<Eigen::MatrixXd> solver(flexibility_times_mass);
   if (solver.info() != Eigen::Success) throw std::runtime_error("slip-state eigenvalues did not converge");
   std::vector<Eigen::Index> order(static_cast<std::size_t>(model.degrees_of_freedom()));
@@ -90,7 +89,7 @@ std::vector<FiniteElementMode> stick_modes(const BeamModel& model, int count) {
 
 std::vector<std::complex<double>> slip_eigenvalues(const BeamModel& model, int count) {
   require_count(count, model.degrees_of_freedom());
-  const SlipEigenpairs pairs = slip_eigenpairs(model);
+  const SlipEigenpairs pairs = slip_eigenpairs(model, model.slip_stiffness());
   std::vector<std::complex<double>> eigenvalues;
   for (Eigen::Index n = 0; n < count; ++n) eigenvalues.push_back(1.0 / pairs.mu[n]);
   return eigenvalues;
@@ -98,7 +97,7 @@ std::vector<std::complex<double>> slip_eigenvalues(const BeamModel& model, int c
 
 std::vector<FiniteElementMode> slip_modes(const BeamModel& model, int count) {
   require_count(count, model.degrees_of_freedom());
-  const SlipEigenpairs pairs = slip_eigenpairs(model);
+  const SlipEigenpairs pairs = slip_eigenpairs(model, model.slip_stiffness());
   std::vector<FiniteElementMode> modes;
   for (Eigen::Index n = 0; n < count; ++n) {
     const std::complex<double> mu = pairs.mu[n];
@@ -109,6 +108,14 @@ std::vector<FiniteElementMode> slip_modes(const BeamModel& model, int count) {
     modes.push_back({1.0 / std::sqrt(mu.real()), normalised(pairs.shapes.col(n).real(), model.mass())});
   }
   return modes;
+}
+
+std::vector<Eigen::VectorXd> adjoint_slip_shapes(const BeamModel& model, int count) {
+  require_count(count, model.degrees_of_freedom());
+  const SlipEigenpairs pairs = slip_eigenpairs(model, model.slip_stiffness().transpose());
+  std::vector<Eigen::VectorXd> shapes;
+  for (Eigen::Index n = 0; n < count; ++n) shapes.emplace_back(pairs.shapes.col(n).real());
+  return shapes;
 }
 
 double stick_buckling_load(const BeamModel& model) {

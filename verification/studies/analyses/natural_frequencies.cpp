@@ -20,6 +20,7 @@ using analytic::TipSupport;
 using Shapes = std::vector<std::vector<double>>;
 
 constexpr double wave_number_rounding = 4.0 * std::numeric_limits<double>::epsilon();
+constexpr double stiffness_rounding = 12.0 * std::numeric_limits<double>::epsilon();
 
 std::vector<EstimatedFrequency> frequencies_with_shear(const data::Beam& beam, TipSupport tip, int count) {
   std::vector<EstimatedFrequency> frequencies;
@@ -84,13 +85,46 @@ double mesh_frequency_error(const data::Beam& beam, double omega, double element
   return mass * omega * omega / stiffness * l * l * (l * l + shear) / 1440.0;
 }
 
+namespace {
+
+// What the axial force makes of mesh_frequency_error(), a factor: by partial integration, with ∫ w' w*' dx = φ*ᵀ K_G φ and
+// EI ∫ w'' w*'' dx = φ*ᵀ K φ, which takes the energy of shear for one of bending.
+double factor_of_axial_force(const solver::BeamModel& model, const solver::FiniteElementMode& mode,
+                             const Eigen::VectorXd& adjoint) {
+  const data::Beam& beam = model.beam();
+  const Eigen::VectorXd& shape = mode.shape;
+  const Eigen::Index w = model.tip_deflection(), rotation = model.tip_rotation();
+  const double modal_mass = adjoint.dot(model.mass() * shape);
+  const double slopes = adjoint.dot(model.geometric_stiffness() * shape) / modal_mass;
+  const double bending = adjoint.dot(model.elastic_stiffness() * shape) / modal_mass;
+  const double end = (shape[w] * adjoint[rotation] + shape[rotation] * adjoint[w]) / modal_mass;
+  const double load = beam.axial_force() / std::pow(mode.angular_frequency, 2);
+  const double rigidity = beam.youngs_modulus() * beam.second_moment_of_area();
+  return 1.0 + load * (2.0 * slopes - end) +
+         load * load * bending / (beam.density() * beam.area() * rigidity);
+}
+
+}  // namespace
+
 std::vector<EstimatedFrequency> mesh_frequencies(const data::Case& problem, TipSupport tip, int count) {
-  const solver::BeamModel model(problem.beam, problem.numerics.elements());
-  const double element_length = problem.beam.length() / model.elements();
+  const data::Beam& beam = problem.beam;
+  const int elements = problem.numerics.elements();
+  const solver::BeamModel model(beam, elements);
+  const auto modes = mesh_modes(model, tip, count);
+  const auto adjoint =
+      tip == TipSupport::free ? solver::adjoint_slip_shapes(model, count) : std::vector<Eigen::VectorXd>();
   std::vector<EstimatedFrequency> frequencies;
-  for (const auto& mode : mesh_modes(model, tip, count))
-    frequencies.push_back({mode.angular_frequency / (2.0 * std::numbers::pi),
-                           mesh_frequency_error(problem.beam, mode.angular_frequency, element_length)});
+  for (std::size_t n = 0; n < modes.size(); ++n) {
+    const double omega = modes[n].angular_frequency, length = beam.length();
+    const double factor = adjoint.empty()
+                              ? factor_of_axial_force(model, modes[n], modes[n].shape)
+                              : std::max(1.0, std::abs(factor_of_axial_force(model, modes[n], adjoint[n])));
+    const double rounding = stiffness_rounding * std::pow(elements, 3.5) * beam.youngs_modulus() *
+                            beam.second_moment_of_area() /
+                            (beam.density() * beam.area() * omega * omega * std::pow(length, 4));
+    frequencies.push_back({omega / (2.0 * std::numbers::pi),
+                           factor * mesh_frequency_error(beam, omega, length / elements) + rounding});
+  }
   return frequencies;
 }
 

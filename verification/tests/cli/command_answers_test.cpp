@@ -174,8 +174,7 @@ TEST_F(CommandAnswers, ModesPrintsDigitsOfTheClosedFormThatAreTrue) {
 }
 
 TEST_F(CommandAnswers, ModesEstimatesTheMeshErrorToATenth) {
-  // The estimate is the leading error, (beta l)^4/1440; on 40 elements the next one is below 1 % for these
-  // modes, and so is the axial force that it leaves out.
+  // The estimate is the leading error; on 40 elements the next one is below 1 % for these modes.
   const std::string shear = " --set beam.shear_stiffness=6.41e6";
   for (const auto& [state, beam] : std::vector<std::pair<std::string, std::string>>{
            {"stick", ""}, {"slip", ""}, {"stick", shear}, {"slip", shear + " --set beam.axial_force=0"}}) {

@@ -4,7 +4,9 @@
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "studies/analyses/criterion_answer.hpp"
+#include "studies/analyses/natural_frequencies.hpp"
 #include "studies/common/problem_parameter.hpp"
+#include "support/random_beams.hpp"
 #include "support/testing.hpp"
 
 namespace stickslip::testing {
@@ -22,6 +24,32 @@ TEST(CriterionVerdict, SlipIsAForceAboveTheLimitForCertain) {
   EXPECT_EQ(analytic::verdict_of({2.0, 3.0}, 1.0), Verdict::stick_slip);
   EXPECT_EQ(analytic::verdict_of({0.5, 3.0}, 1.0), Verdict::stick);  // the bounds hold the limit
   EXPECT_EQ(analytic::verdict_of({1.0, 1.0}, 1.0), Verdict::stick);  // the limit is reached and not passed
+}
+
+STICKSLIP_VERIFIES(MeshFrequencies, "F3");
+// The next terms of three modes: (beta l)^2/40, four times that at a free tip, and the share of shear in the energy. Where the
+// leading terms cancel, in slip, the estimate is above the error.
+TEST(MeshFrequencies, ErrorIsThatOfTheEstimate) {
+  for (const auto tip : {analytic::TipSupport::held, analytic::TipSupport::free})
+    for (const bool sheared : {false, true}) {
+      const bool slips = tip == analytic::TipSupport::free;
+      if (slips && sheared) continue;  // no closed form
+      const ForceRange force = slips ? ForceRange{-1.0, 0.8} : ForceRange{-3.0, 0.99};
+      on_random_beams(20, force, [&](const data::Beam& slender, RandomNumbers& numbers) {
+        const data::Beam beam = sheared ? studies::with_shear(slender) : slender;
+        const data::Case problem =
+            with_value(with(paper_at("35", "1e-3"), beam), "numerics.elements", numbers.whole(16, 40));
+        const auto mesh = studies::mesh_frequencies(problem, tip, 3);
+        const auto exact = studies::closed_form_frequencies(beam, tip, 3);
+        for (std::size_t n = 0; n < 3; ++n) {
+          const double error = std::abs(mesh[n].hz / exact[n].hz - 1.0), estimate = mesh[n].relative_error;
+          EXPECT_LE(error, 1.1 * estimate) << n;
+          if (!slips) {
+            EXPECT_GE(error, 0.9 * estimate - 1e-9) << n;
+          }
+        }
+      });
+    }
 }
 
 STICKSLIP_VERIFIES(CriterionAnswer, "U1");

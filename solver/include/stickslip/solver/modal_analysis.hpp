@@ -31,6 +31,10 @@ struct FiniteElementMode {
 /// them has no real frequency (flutter or buckling).
 [[nodiscard]] std::vector<FiniteElementMode> slip_modes(const BeamModel& model, int count);
 
+/// The shapes ψ of the transposed problem, (K_slipᵀ - ω² M) ψ = 0, in the order of slip_modes(). No mode has to have a real
+/// frequency; of a complex one the real part is given.
+[[nodiscard]] std::vector<Eigen::VectorXd> adjoint_slip_shapes(const BeamModel& model, int count);
+
 /// The lowest axial force, N, at which K - P K_G with w_L = 0 becomes singular.
 [[nodiscard]] double stick_buckling_load(const BeamModel& model);
 
