@@ -21,6 +21,9 @@ using std::numbers::pi;
 /// P L²/EI of the strongest tension for which exp(-b) in the first mode can still be represented.
 constexpr double kStrongestTension = -1e5;
 
+/// P L²/EI above the flutter load of every direction; Beck's, 20.0510, is the highest.
+constexpr double kStrongestCompression = 20.06;
+
 /// Below the smaller wave number of every mode (about 1e-67 in the first one at the strongest tension), and
 /// large enough for its fourth power: at P = 0 the characteristic function vanishes at 0 itself.
 constexpr double kBelowEveryRoot = 1e-70;
@@ -62,17 +65,19 @@ class PairCharacteristic {
     const auto node = [this](int i) {
       return interval_.lower + (interval_.upper - interval_.lower) * i / kSteps;
     };
-    int least = 1;
-    for (int i = 2; i < kSteps; ++i)
+    int least = 0;
+    for (int i = 1; i < kSteps; ++i)
       if ((*this)(node(i)) < (*this)(node(least))) least = i;
+    if (least == 0) return interval_.lower;
     return brent_minimum(as_gsl_function(*this), {node(least - 1), node(least + 1)}, node(least));
   }
 
   /// The two roots, or nothing if they have become complex or the first imaginary.
   [[nodiscard]] std::optional<std::pair<double, double>> roots() const {
     constexpr double kTolerance = 4.0 * std::numeric_limits<double>::epsilon();
+    if ((*this)(interval_.lower) <= 0.0) return std::nullopt;
     const double between = minimum();
-    if ((*this)(between) >= 0.0 || (*this)(interval_.lower) <= 0.0) return std::nullopt;
+    if ((*this)(between) >= 0.0) return std::nullopt;
     const gsl_function function = as_gsl_function(*this);
     return std::pair{brent_root(function, {interval_.lower, between}, kTolerance),
                      brent_root(function, {between, interval_.upper}, kTolerance)};
@@ -152,7 +157,7 @@ std::vector<SlipMode> slip_modes(const data::Beam& beam, int count) {
   require_mode_count(count);
   require_rigid_in_shear(beam);
   const double z = axial_load_factor(beam);
-  if (z < kStrongestTension || beam.axial_force() >= slip_critical_load(beam)) throw_outside_range(beam);
+  if (z < kStrongestTension || z >= kStrongestCompression) throw_outside_range(beam);
 
   std::vector<SlipMode> modes;
   modes.reserve(static_cast<std::size_t>(count) + 1);

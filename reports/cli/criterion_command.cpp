@@ -117,6 +117,8 @@ std::vector<std::string> warnings_about(const data::Case& problem, const studies
   if (const auto bending = found.bending)
     if (const auto warning = studies::draw_back_warning(problem.beam, bending->draw_back))
       warnings.push_back(*warning);
+  if (found.all_modes.verdict != analytic::Verdict::stick)
+    if (const auto unstable = studies::instability_warning(problem)) warnings.push_back(unstable->sentence);
   return warnings;
 }
 

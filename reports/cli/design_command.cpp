@@ -130,12 +130,14 @@ Answer design(const DesignOptions& options, Outputs& outputs) {
   outputs.about(problem);
   outputs.open({});
   report::Progress& progress = outputs.progress();
-  Answer answer =
-      answer_of(problem, studies::design(
-                             problem, {ranges.band.lower, ranges.band.upper}, ranges.lengths, ranges.forces,
-                             [&](std::string_view stage) { progress.stage(stage); }, std::ref(progress)));
+  const auto found = studies::design(
+      problem, {ranges.band.lower, ranges.band.upper}, ranges.lengths, ranges.forces,
+      [&](std::string_view stage) { progress.stage(stage); }, std::ref(progress));
+  Answer answer = answer_of(problem, found);
   answer.warnings =
       warnings_of(at_the_end_of(problem, ranges.band, problem.beam.length()), studies::Inquiry::design);
+  if (found.margin.margin.lower < 1.0)
+    if (const auto unstable = studies::instability_warning(problem)) add_warning(answer, unstable->sentence);
   return answer;
 }
 

@@ -12,6 +12,7 @@
 #include "stickslip/analytic/slip_modes.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
+#include "studies/analyses/squeal.hpp"
 #include "studies/common/discretisation.hpp"
 #include "studies/common/problem_parameter.hpp"
 #include "studies/history/contact_growth.hpp"
@@ -61,18 +62,6 @@ double allowed_step(double spectral_radius, double omega) {
     (step_error(spectral_radius, 1.0, middle) > allowed_step_error ? upper : lower) = middle;
   }
   return two_digits(lower / omega);
-}
-
-// The load is that without shear, which lowers it a little.
-void warn_of_instability(const data::Beam& beam, std::vector<Warning>& warnings) {
-  const double load = analytic::slip_critical_load(beam);
-  if (beam.axial_force() < load) return;
-  const bool buckles = analytic::buckles_in_slip(beam);
-  warnings.push_back(
-      {buckles ? Concern::buckling : Concern::flutter, beam.axial_force(), load,
-       fmt::format("beam.axial_force is {} N, at the {} load of the sliding beam, {:.6g} N, or over it: once "
-                   "the tip slips, the motion is unstable",
-                   data::shortest_text(beam.axial_force()), buckles ? "buckling" : "flutter", load)});
 }
 
 void warn_of_resonance(const data::Case& problem, std::vector<Warning>& warnings) {
@@ -209,7 +198,8 @@ namespace {
 
 std::vector<Warning> warnings_without_effect(const data::Case& problem, Inquiry inquiry, int frequencies) {
   std::vector<Warning> warnings;
-  if (may_slip(inquiry)) warn_of_instability(problem.beam, warnings);
+  if (may_slip(inquiry))
+    if (const auto unstable = instability_warning(problem)) warnings.push_back(*unstable);
   if (inquiry == Inquiry::criterion || inquiry == Inquiry::closed_form_history)
     warn_of_resonance(problem, warnings);
   if (inquiry == Inquiry::criterion && (warnings.empty() || warnings.back().concern != Concern::resonance))
@@ -221,6 +211,23 @@ std::vector<Warning> warnings_without_effect(const data::Case& problem, Inquiry 
 }
 
 }  // namespace
+
+std::optional<Warning> instability_warning(const data::Case& problem) {
+  const auto found = slip_instability(problem);
+  if (!found) return std::nullopt;
+  const data::Beam& beam = problem.beam;
+  const bool buckles = found->root.imag() == 0.0, is_sheared = beam.shear_stiffness() > 0.0,
+             has_loss = is_damped(problem) || problem.friction.viscous() > 0.0;
+  const double unit = beam.youngs_modulus() * beam.second_moment_of_area() / (beam.length() * beam.length());
+  return Warning{
+      buckles ? Concern::buckling : Concern::flutter, beam.axial_force(), found->load,
+      fmt::format(
+          "beam.axial_force is {} N: from {:.4g} N on, {:.4g} E I/L^2, the sliding beam {}, {}damping "
+          "and {}shear; once the tip slips, the motion grows without end, by a factor of e in {:.2g} s",
+          data::shortest_text(beam.axial_force()), found->load, found->load / unit,
+          buckles ? "buckles" : "flutters", has_loss ? "with its " : "without ",
+          is_sheared ? "with its " : "without ", 1.0 / found->root.real())};
+}
 
 std::string shear_effect(const data::Case& problem) {
   const data::Case sheared = data::with(problem, with_shear(problem.beam));

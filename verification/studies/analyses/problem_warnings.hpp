@@ -57,7 +57,7 @@ constexpr double share_that_matters = 0.01;
 [[nodiscard]] int highest_mode_that_matters(const data::Case& problem);
 
 /// The warnings for a case, each at most once, in the order of Concern:
-/// - flutter or buckling, for histories that can slip: P is not below the critical load of the slip state.
+/// - flutter or buckling, for histories that can slip: instability_warning().
 /// - resonance, for an undamped |f| in closed form: a natural frequency of the stick state is so close to
 ///   Ω that |f| grows over the whole duration T, |Ω - ω_n| T ≤ π (half a beat), and reaches at
 ///   least ten times the quasi-static response, Ω T/2 ≥ 10.
@@ -70,6 +70,10 @@ constexpr double share_that_matters = 0.01;
 /// `frequencies` is the number of natural frequencies asked for. Throws what stick_modes() throws.
 [[nodiscard]] std::vector<Warning> problem_warnings(const data::Case& problem, Inquiry inquiry,
                                                     int frequencies = 0);
+
+/// The warning that slip of the case grows at its axial force (slip_instability()), with the load from which on it does. The
+/// criterion and a design need it where the tip slips.
+[[nodiscard]] std::optional<Warning> instability_warning(const data::Case& problem);
 
 /// What shear and rotary inertia change in |f_max| and in the verdict, by the undamped criterion with with_shear(), as
 /// the end of a sentence. Throws what evaluate_criterion() throws.

@@ -36,9 +36,9 @@ void require_dense_mesh(const data::NumericalSettings& numerics) {
 }
 
 // The slip state as it slides.
-solver::ContactSystem mesh_of(const data::Case& problem) {
+solver::ContactSystem mesh_of(const data::Case& problem, int elements) {
   return solver::beam_contact_system(
-      solver::BeamModel(problem.beam, problem.numerics.elements()), problem.friction,
+      solver::BeamModel(problem.beam, elements), problem.friction,
       solver::harmonic_motion(
           data::HarmonicExcitation({.frequency_hz = problem.excitation.frequency_hz(), .amplitude = 0.0})),
       problem.damping, problem.wall);
@@ -72,7 +72,7 @@ std::optional<Complex> judge(const std::vector<Complex>& eigenvalues, Squeal& sq
   std::optional<Complex> real_root;
   for (const Complex s : eigenvalues) {
     if (std::abs(s) > two_pi * squeal.resolved_hz) {
-      squeal.unresolved_mode_grows |= s.real() > 1e-9 * std::abs(s);
+      squeal.unresolved_mode_grows |= grows(s);
       continue;
     }
     halves += s.imag() == 0.0 ? 1 : 2;
@@ -83,7 +83,31 @@ std::optional<Complex> judge(const std::vector<Complex>& eigenvalues, Squeal& sq
   return real_root;
 }
 
+// The eigenvalue of slip at the axial force that grows most in a period.
+Complex fastest_slip(const data::Case& problem, double axial_force) {
+  const auto eigenvalues =
+      solver::sliding_eigenvalues(mesh_of(with_value(problem, "beam.axial_force", axial_force), 10),
+                                  -problem.friction.viscous() * axial_force);
+  return *std::ranges::max_element(eigenvalues, {}, [](Complex s) { return s.real() / std::abs(s); });
+}
+
 }  // namespace
+
+std::optional<SlipInstability> slip_instability(const data::Case& problem) {
+  constexpr int steps = 32;
+  double load = problem.beam.axial_force();
+  if (load <= 0.0) return std::nullopt;
+  const Complex root = fastest_slip(problem, load);
+  if (!grows(root)) return std::nullopt;
+  const double step = load / steps;
+  double stable = load - step;
+  while (stable > 0.5 * step && grows(fastest_slip(problem, stable))) load = stable, stable -= step;
+  for (int i = 0; i < 20; ++i) {
+    const double middle = 0.5 * (stable + load);
+    (grows(fastest_slip(problem, middle)) ? load : stable) = middle;
+  }
+  return SlipInstability{root, load};
+}
 
 double resolved_frequency(const data::Case& problem) {
   constexpr double allowed_error = 0.01;
@@ -111,7 +135,7 @@ Squeal squeal_of(const data::Case& problem, int modes) {
       .resolved_hz = resolved_frequency(problem),
       .fastest = {-std::numeric_limits<double>::infinity(), 0.0},
       .unresolved_mode_grows = false};
-  const solver::ContactSystem mesh = mesh_of(problem);
+  const solver::ContactSystem mesh = mesh_of(problem, problem.numerics.elements());
   squeal.finite_element_displacement = solver::steady_contact_displacement(mesh, steady.friction_force);
   const auto eigenvalues = solver::sliding_eigenvalues(mesh, solver::falling_slope(mesh));
   const auto real_root = judge(eigenvalues, squeal);

@@ -11,7 +11,8 @@
 /// A follower force (χ = 0, Beck's column with distributed mass) and every χ < 1/2 make the two lowest
 /// frequencies coalesce at the flutter load (20.05 EI/L² at χ = 0), beyond which they are complex. From
 /// χ = 1/2 on the lowest frequency falls to 0 first, at the buckling load z = y², cos(y) = -(1 - χ)/χ:
-/// π² at χ = 1/2, π²/4 at χ = 1 (Euler), where the problem is self-adjoint.
+/// π² at χ = 1/2, π²/4 at χ = 1 (Euler), where the problem is self-adjoint. For χ up to about 0.58 it is real again between
+/// (2 π - y)² and flutter.
 
 #include <vector>
 
@@ -69,7 +70,7 @@ class SlipMode {
 
 /// The first `count` slip modes, ascending. Modes 2m-1 and 2m lie in (2m-2) π < bb < 2m π. The characteristic function
 /// is positive at both ends of this interval, and its minimum separates the two roots. Throws data::FieldError, naming
-/// numerics.modes unless 1 ≤ count ≤ 1000, and beam.axial_force unless -1e5 EI/L² ≤ P < slip_critical_load(). In
+/// numerics.modes unless 1 ≤ count ≤ 1000, and beam.axial_force unless -1e5 EI/L² ≤ P and two real frequencies are in each interval, as for P < slip_critical_load(). In
 /// tension and at χ = 0 the first frequency falls as exp(-√(-P L²/EI)/2), because a follower force does not
 /// straighten the beam: below the lower end no double represents it.
 [[nodiscard]] std::vector<SlipMode> slip_modes(const data::Beam& beam, int count);
