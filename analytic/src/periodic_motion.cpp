@@ -391,13 +391,20 @@ PeriodicSearch forced_motion(const ContactModel& model, int periods, int settle)
   const double period = 2.0 * std::numbers::pi / model.load_angular_frequency;
   EventDriven run(model, settling);
   run.start_stuck({}, {});
-  run.advance_to(settle * period);
-  const std::size_t events = run.events().size();
-  const ContactStart start = state_of(run);
+  std::vector<ContactStart> starts;
+  std::size_t events = 0;
+  for (const int earlier : {8, 4, 2, 1}) {
+    run.advance_to(settle / earlier * period);  // whole periods
+    events = run.events().size();
+    starts.push_back(state_of(run));
+  }
   run.advance_to((settle + periods) * period);
-  if (start.phase == data::ContactState::stick && run.events().size() == events)
+  if (starts.back().phase == data::ContactState::stick && run.events().size() == events)
     return {{}, NoMotion::sticks};
-  return {Shooting(model, start, periods * period, false).run(), NoMotion::unsettled};
+  PeriodicSearch search{{}, NoMotion::unsettled};
+  for (; !starts.empty() && !search.motion; starts.pop_back())
+    search.motion = Shooting(model, starts.back(), periods * period, false).run();
+  return search;
 }
 
 PeriodicSearch self_excited_motion(const ContactModel& model, double settle, double sample) {

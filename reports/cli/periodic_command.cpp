@@ -22,8 +22,9 @@ struct PeriodicOptions {
 };
 
 // In the order of analytic::NoMotion.
-constexpr std::array<std::string_view, 3> reasons{"the tip sticks", "the tip slides steadily",
-                                                  "no periodic motion is found; a longer --settle may help"};
+constexpr std::array<std::string_view, 3> reasons{
+    "the tip sticks", "the tip slides steadily",
+    "no periodic motion is found; a longer --settle may help, for one that is unstable a shorter one"};
 
 std::string reason_of(const studies::Cycle& cycle) {
   std::string reason(reasons.at(static_cast<std::size_t>(cycle.search.reason)));

@@ -76,7 +76,8 @@ struct PeriodicSearch {
 };
 
 /// The forced motion of `periods` periods of the load near the one that follows from rest after `settle` periods of the
-/// load. Throws data::FieldError unless periods ≥ 1, and what EventDriven throws.
+/// load or, where Newton's method finds none from there, after half, a quarter or an eighth of them: a motion that is unstable is
+/// passed and left again. Throws data::FieldError unless periods ≥ 1, and what EventDriven throws.
 [[nodiscard]] PeriodicSearch forced_motion(const ContactModel& model, int periods, int settle);
 
 /// The self-excited motion near the one that follows from rest on the wall after the time `settle` (s), sampled each
