@@ -22,11 +22,12 @@ namespace {
 namespace fs = std::filesystem;
 
 // Cells with a value of each quantity.
-std::ptrdiff_t converged_cells(const studies::CriterionMap& map) {
-  const auto is_converged = [&](const auto& value) { return value.change <= map.tolerance; };
-  return std::ranges::count_if(map.cells, [&](const auto& cell) {
-    return !cell.response.empty() && std::ranges::all_of(cell.response, is_converged);
-  });
+std::vector<std::ptrdiff_t> converged_cells(const studies::CriterionMap& map) {
+  std::vector<std::ptrdiff_t> counts(map.quantities.size());
+  for (const auto& cell : map.cells)
+    for (std::size_t i = 0; i < cell.response.size(); ++i)
+      counts[i] += cell.response[i].change <= map.tolerance ? 1 : 0;
+  return counts;
 }
 
 Json to_json(const studies::MapTask& task, Outputs& outputs) {
@@ -55,8 +56,12 @@ Answer answer_of(const studies::MapTask& task, const studies::CriterionMap& map,
     counts += fmt::format("{}{} {}", counts.empty() ? "" : ", ", count, studies::name_of(state));
   }
   if (!map.quantities.empty()) {
-    object["converged"] = converged_cells(map);
-    counts += fmt::format("; {} converged", converged_cells(map));
+    const auto converged = converged_cells(map);
+    counts += "; converged:";
+    for (std::size_t i = 0; i < converged.size(); ++i) {
+      object["converged"][std::string(map.quantities[i]->name)] = converged[i];
+      counts += fmt::format("{} {} {}", i > 0 ? "," : "", converged[i], map.quantities[i]->name);
+    }
   }
   answer.add_line(
       fmt::format("{} cells written to {}: {}", map.cells.size(), outputs.path("--output"), counts));

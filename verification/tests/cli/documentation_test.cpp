@@ -6,6 +6,7 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <regex>
@@ -204,6 +205,18 @@ TEST_F(HelpedCommand, TakesWhatTheUserGuideSays) {
     }
   }
   EXPECT_EQ(tried, lines.size());
+}
+
+// What the user guide says of its examples of motions that repeat.
+TEST_F(HelpExamples, OfTheUserGuideFindWhatItSays) {
+  const auto periodic = json("periodic damped --set numerics.modes=5");
+  ASSERT_TRUE(periodic["found"]);
+  const auto& largest = periodic["multipliers"][0];
+  EXPECT_NEAR(std::hypot(largest["real"].get<double>(), largest["imaginary"].get<double>()), 1.24, 0.005);
+  const auto map = json(
+      "map damped --set numerics.time_step=1e-4 --duration 3 --x frequency=24:36:4 --y "
+      "amplitude=3e-4:1.5e-3:3 --quantity slip-share,work,period --output motion.csv");
+  EXPECT_EQ(map["converged"], (nlohmann::json{{"slip-share", 11}, {"work", 10}, {"period", 2}}));
 }
 
 STICKSLIP_VERIFIES(ManualPage, "U9");
