@@ -5,8 +5,10 @@
 
 #include "stickslip/analytic/beam_boundary_integral.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
+#include "stickslip/analytic/tip_mobility.hpp"
 #include "studies/common/convergence.hpp"
 #include "studies/common/problem_parameter.hpp"
+#include "studies/history/contact_growth.hpp"
 #include "studies/history/method.hpp"
 
 namespace stickslip::studies {
@@ -37,7 +39,7 @@ History history_of(const data::Case& problem, const Sampling& sampling,
     row.tip_displacement = tip[n];
     if (sampling.with_midspan) row.midspan_displacement = motions.back()[n];
     for (std::size_t k = 0; k < sampling.positions.size(); ++k) row.displacement.push_back(motions[k][n]);
-    add_row(history, sink, std::move(row));
+    add_row(problem, history, sink, std::move(row));
   });
   // A smooth law has no stick.
   if (!problem.contact.is_smooth()) set_events(history, events_between(run.steps(), run.grid().time_step));
@@ -50,8 +52,18 @@ double boundary_integral_step(const data::Case& problem) {
   constexpr double steps_per_period = 20000.0;
   const double highest = std::max(problem.excitation.frequency_hz(),
                                   analytic::stick_modes(problem.beam, 1).front().frequency_hz());
-  double step = problem.numerics.time_step();
+  const double rated = problem.numerics.time_step(),
+               kappa = weakening(problem.friction, problem.beam.axial_force());
+  double step = rated;
   while (step * highest * steps_per_period > 1.0) step *= 0.5;
+  // Each step has one solution, and of twice the step, which History::step_effect takes. Of a law that jumps none has.
+  const analytic::TipMobility mobility(problem.beam, problem.damping);
+  const auto has_one_solution = [&](double h) {
+    return kappa * analytic::mobility_weights(mobility, h, 1, analytic::usual_stages).front() < 1.0;
+  };
+  while (std::isfinite(kappa) && step > std::ldexp(rated, -40) &&
+         !has_one_solution(std::min(2.0 * step, rated)))
+    step *= 0.5;
   return step;
 }
 

@@ -110,8 +110,8 @@ void require_periods(const data::Case& problem, double most_periods);
                                                 int steps_per_time_step);
 
 /// The step of the boundary integral (s): numerics.time_step() divided by a power of two, so that it is at
-/// most 1/20000 of the period of the first stick mode and of the excitation. Throws what stick_modes()
-/// throws.
+/// most 1/20000 of the period of the first stick mode and of the excitation, and that a step, as one of twice that, has one
+/// solution (analytic::require_unique_step()). Throws what stick_modes() throws.
 [[nodiscard]] double boundary_integral_step(const data::Case& problem);
 
 /// Contact before the step with that number, from steps of the boundary integral: sliding velocity, friction force and

@@ -39,7 +39,7 @@ class BeamBoundaryIntegral {
  public:
   /// Uses neither the numerics of the case nor its wall, which rests. Throws data::FieldError, naming beam.axial_force,
   /// unless 0 < P < P_cr, and what holding_force(), TipMobility, mobility_weights() and contact_steps() throw.
-  BeamBoundaryIntegral(const data::Case& problem, const TimeGrid& grid, int stages = 3);
+  BeamBoundaryIntegral(const data::Case& problem, const TimeGrid& grid, int stages = usual_stages);
 
   [[nodiscard]] const TimeGrid& grid() const noexcept { return grid_; }
   /// Sliding velocity y_t(L) (mean) and friction force f_d on the beam of each step; Eq. (28) has f = -f_d.

@@ -43,6 +43,7 @@ using Mobility = std::function<std::complex<double>(std::complex<double>)>;
 
 /// The largest number of stages of the method of Gauss.
 constexpr int most_stages = 4;
+constexpr int usual_stages = 3;
 
 /// The generating function above at 0 < |ζ| < 1: the mobility of the discrete contact, m/(N s).
 [[nodiscard]] std::complex<double> discrete_mobility(const Mobility& mobility, double time_step, int stages,
