@@ -53,7 +53,7 @@ long row_step_of(const data::Case& problem, const HistoryOptions& options, doubl
 }  // namespace
 
 // A drawing of a history in bounded memory: all rows or, of more than two for each of the columns of a figure, the
-// smallest and the largest values in each column, in the order in which they come.
+// smallest and the largest values in each column, those in stick and those in slip apart, in the order in which they come.
 class HistoryOutput::Drawing {
  public:
   // Of about so many rows, `from` to `to` (s).
@@ -62,21 +62,11 @@ class HistoryOutput::Drawing {
 
   void add(const studies::HistoryRow& row) {
     const double column = width_ > 0.0 ? std::floor((row.time - from_) / width_) : row.time;
-    if (column != column_) {
-      end_column();
-      column_ = column;
-      smallest_ = largest_ = row;
-      return;
-    }
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      const double value = row.*values[i];
-      if (value < smallest_.*values[i]) falls_[i] = true;
-      if (value > largest_.*values[i]) falls_[i] = false;
-      smallest_.*values[i] = std::min(smallest_.*values[i], value);
-      largest_.*values[i] = std::max(largest_.*values[i], value);
-    }
-    largest_.time = row.time;
-    if (row.state == data::ContactState::slip) smallest_.state = row.state;
+    if (column != column_) end_column();
+    column_ = column;
+    for (Extremes& of : extremes_)
+      if (of.smallest.state == row.state) return of.add(row);
+    extremes_.push_back({row, row});
   }
 
   // As CSV with the columns of the file.
@@ -92,21 +82,36 @@ class HistoryOutput::Drawing {
       &studies::HistoryRow::midspan_displacement, &studies::HistoryRow::sliding_velocity,
       &studies::HistoryRow::friction_force};
 
+  // Of the rows of a column with the same state.
+  struct Extremes {
+    studies::HistoryRow smallest, largest;    // largest has the time of the last row
+    std::array<bool, values.size()> falls{};  // whether the smallest value comes after the largest one
+
+    void add(const studies::HistoryRow& row) {
+      for (std::size_t i = 0; i < values.size(); ++i) {
+        const double value = row.*values[i];
+        if (value < smallest.*values[i]) falls[i] = true;
+        if (value > largest.*values[i]) falls[i] = false;
+        smallest.*values[i] = std::min(smallest.*values[i], value);
+        largest.*values[i] = std::max(largest.*values[i], value);
+      }
+      largest.time = row.time;
+    }
+  };
+
   void end_column() {
-    if (!column_) return;
-    for (std::size_t i = 0; i < values.size(); ++i)
-      if (falls_[i]) std::swap(smallest_.*values[i], largest_.*values[i]);
-    falls_ = {};
-    largest_.state = smallest_.state;
-    text_ += csv_line(smallest_);
-    if (largest_.time > smallest_.time) text_ += csv_line(largest_);
-    column_.reset();
+    for (auto& [smallest, largest, falls] : extremes_) {
+      for (std::size_t i = 0; i < values.size(); ++i)
+        if (falls[i]) std::swap(smallest.*values[i], largest.*values[i]);
+      text_ += csv_line(smallest);
+      if (largest.time > smallest.time) text_ += csv_line(largest);
+    }
+    extremes_.clear();
   }
 
   double from_, width_;  // s, of a column; 0: a column for each row
   std::optional<double> column_;
-  studies::HistoryRow smallest_, largest_;   // largest_ has the time of the last row
-  std::array<bool, values.size()> falls_{};  // whether the smallest value comes after the largest one
+  std::vector<Extremes> extremes_;  // of each state in the column, in the order in which they come
   std::string text_;
 };
 
@@ -116,7 +121,7 @@ HistoryOutput::HistoryOutput(const data::Case& problem, const HistoryOptions& op
       from_(options.from),
       to_(end_of(problem, options)),
       row_step_(row_step_of(problem, options, to_ - from_)) {
-  if (!options.spectrum.empty()) spectrum_rows_ = studies::spectrum_rows(problem, row_step_);
+  if (!options.spectrum.empty()) window_ = studies::spectrum_window(problem, row_step_);
   outputs.open({{"--output", options.output},
                 {"--events", options.events},
                 {"--spectrum", options.spectrum},
@@ -139,7 +144,7 @@ void HistoryOutput::add(const studies::HistoryRow& row, long step) {
   const bool is_row = taken % (row_step_ / step) == 0;
   if (is_row || taken % between_looks == 0) (*progress_)(row.time / problem_.numerics.duration());
   if (!is_row) return;
-  if (spectrum_rows_ > 0) {
+  if (window_) {
     tip_displacements_.push_back(row.tip_displacement);
     friction_forces_.push_back(row.friction_force);
   }
@@ -170,11 +175,12 @@ void HistoryOutput::finish(const studies::History& history) {
   });
 }
 
-std::string HistoryOutput::spectrum_text() const {
-  std::string text = "# Spectrum\nfrequency_Hz,tip_displacement_m,friction_force_N\n";
-  for (const auto& line :
-       studies::spectrum_of(tip_displacements_, friction_forces_, spectrum_rows_,
-                            static_cast<double>(row_step_) * problem_.numerics.time_step()))
+std::string HistoryOutput::spectrum_text() {
+  spectrum_ = studies::spectrum_of(tip_displacements_, friction_forces_, *window_,
+                                   static_cast<double>(row_step_) * problem_.numerics.time_step());
+  std::string text = fmt::format("# Spectrum{}\nfrequency_Hz,tip_displacement_m,friction_force_N\n",
+                                 spectrum_.is_flat_top ? ", flat-top window" : "");
+  for (const auto& line : spectrum_.lines)
     text += fmt::format("{},{},{}\n", data::shortest_text(line.frequency_hz),
                         data::shortest_text(line.tip_displacement), data::shortest_text(line.friction_force));
   return text;

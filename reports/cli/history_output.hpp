@@ -43,11 +43,14 @@ class HistoryOutput {
   [[nodiscard]] double largest_force() const { return largest_force_; }            ///< max |f|, N
   [[nodiscard]] double largest_deflection() const { return largest_deflection_; }  ///< max |y(L) - h|, m
   [[nodiscard]] const studies::Bending& bending() const { return bending_; }       ///< of rows with positions
+  /// None without --spectrum. Complete after finish().
+  [[nodiscard]] const std::optional<studies::SpectrumWindow>& window() const { return window_; }
+  [[nodiscard]] const studies::Spectrum& spectrum() const { return spectrum_; }
 
  private:
   class Drawing;
 
-  [[nodiscard]] std::string spectrum_text() const;
+  [[nodiscard]] std::string spectrum_text();
 
   const data::Case& problem_;
   Outputs& outputs_;
@@ -55,7 +58,8 @@ class HistoryOutput {
   double from_, to_;
   long row_step_;
   std::unique_ptr<Drawing> drawing_;
-  std::size_t spectrum_rows_{};  // the last ones
+  std::optional<studies::SpectrumWindow> window_;
+  studies::Spectrum spectrum_;
   std::vector<double> tip_displacements_, friction_forces_;
 
   std::atomic<double> time_{};

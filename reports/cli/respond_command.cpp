@@ -40,13 +40,18 @@ Answer answer_of(const data::Case& problem, const RespondOptions& options, const
     answer.add_members({{"integration_step_s", studies::boundary_integral_step(problem)},
                         {"largest_change_on_twice_the_step_m", optional_json(history.step_effect)}});
   if (options.method == "fe") answer.add_members({{"scheme", options.scheme.value_or("located")}});
+  if (output.window())
+    answer.add_members({{"spectrum_window", output.spectrum().is_flat_top ? "flat-top" : "whole periods"},
+                        {"spectrum_rows", output.window()->rows}});
   answer.add_line(
       fmt::format("{} rows written to {}{}", output.rows(), options.history.output,
                   output.row_step() > 1 ? fmt::format(", one in {} time steps", output.row_step()) : ""));
-  answer.add_line(fmt::format(
-      "largest |f| {:.4g} N, largest deflection of the tip {:.4g} m; {}", output.largest_force(),
-      output.largest_deflection(),
-      history.first_slip ? fmt::format("first slip at {:.6g} s", *history.first_slip) : "no slip"));
+  answer.add_line(fmt::format("largest |f| {:.4g} N, largest deflection of the tip {:.4g} m; {}",
+                              output.largest_force(), output.largest_deflection(),
+                              problem.contact.is_smooth() ? "a smooth law slips all the time"
+                              : history.first_slip
+                                  ? fmt::format("first slip at {:.6g} s", *history.first_slip)
+                                  : "no slip"));
   if (output.bending().deflection > 0.0) add_bending(answer, problem.beam, output.bending());
   return answer;
 }
@@ -67,8 +72,8 @@ Answer respond(const RespondOptions& options, Outputs& outputs) {
                        options.history.output == "-" ? "standard output holds the history up to there at most"
                                                      : "nothing is kept");
   });
-  // Of a method in time steps all of them are looked at, so that the largest values are those of the run.
-  const long step = method.in_time_steps ? 1 : output.row_step();
+  // The largest values are those of all that is looked at: all time steps of a method in steps, else as many as it takes.
+  const long step = method.in_time_steps ? 1 : studies::look_step(problem, output.row_step());
   studies::Sampling sampling{.every = step};
   if (method.name != "boundary-integral") {  // each position would take it half of its time again
     sampling.positions = studies::Bending::positions(problem.beam.length());
@@ -79,8 +84,27 @@ Answer respond(const RespondOptions& options, Outputs& outputs) {
   output.finish(history);
   Answer answer = answer_of(problem, options, history, output);
   answer.warnings = studies::warnings_after(problem, method.inquiry, history);
+  add_warning(answer, studies::row_warning(problem, method, step, output.row_step()));
   add_warning(answer, studies::deflection_warning(problem.beam, output.largest_deflection()));
   add_warning(answer, studies::draw_back_warning(problem.beam, output.bending().draw_back));
+  if (choices.initial_velocity == solver::InitialVelocity::zero)
+    add_warning(
+        answer,
+        std::string(
+            "--initial-velocity zero starts with a blow of the base: the largest |f| just after it grows "
+            "with "
+            "the modes or "
+            "elements without a limit, so that it and a slip, or none, that follows from it are no results"));
+  if (output.window() && !output.spectrum().is_flat_top && output.spectrum().leak > studies::allowed_leak)
+    add_warning(
+        answer,
+        fmt::format(
+            "{:.2g} % of the amplitude in the spectrum is no harmonic of the base, and leaks into all lines: "
+            "the "
+            "window has "
+            "{} periods of the base; from 8 on, a duration of {} s, a flat-top window takes its place",
+            100.0 * output.spectrum().leak, output.window()->periods,
+            data::shortest_text(16.0 / problem.excitation.frequency_hz())));
   return answer;
 }
 

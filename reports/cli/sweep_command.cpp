@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <string>
@@ -38,15 +39,10 @@ report::CsvTable table_of(const studies::SweepTask& task, const std::vector<stud
                                      "friction_force_N [N], period [1]",
                                      report::column_of(task.parameter)));
   for (const studies::SweepPoint& point : points)
-    for (const studies::HistoryRow& at : point.section) {
-      for (const double value : {at.tip_displacement, at.sliding_velocity, at.friction_force})
-        if (!std::isfinite(value))
-          data::throw_overflow(fmt::format("the motion at {} = {} is not finite", task.parameter,
-                                           data::shortest_text(point.value)));
+    for (const studies::HistoryRow& at : point.section)
       table.add_row({point.up ? "up" : "down", report::csv_number(point.value),
                      report::csv_number(at.tip_displacement), report::csv_number(at.sliding_velocity + 0.0),
                      report::csv_number(at.friction_force + 0.0), std::to_string(point.period)});
-    }
   return table;
 }
 
@@ -94,6 +90,13 @@ Answer answer_of(const studies::SweepTask& task, const std::vector<studies::Swee
         {{"direction", point.up ? "up" : "down"}, {"value", point.value}, {"period", point.period}});
   answer.add_members({{"values_with_hysteresis", moving}, {"values_that_stick_elsewhere", resting}});
   answer.warnings = sentences_of(studies::warnings_common_to(task.problem, {task.parameter}));
+  double largest = 0.0;
+  for (const auto& point : points)
+    for (const auto& row : point.section) largest = std::max(largest, std::abs(row.tip_displacement));
+  add_warning(answer, studies::deflection_warning(task.problem.beam, largest));
+  const data::Case last = data::with_value(task.problem, task.parameter, task.values.back());
+  add_warning(answer, studies::fixed_step_warning(
+                          last, 1.0 / (last.excitation.frequency_hz() * studies::steps_per_period(last))));
   return answer;
 }
 

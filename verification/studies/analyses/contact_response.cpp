@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "studies/analyses/contact_response.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -158,6 +160,8 @@ SweepPoint point_at(const SweepTask& task, double value, bool up,
       run.step();
       slips = slips || run.slips();
     }
+    require_bounded(problem, run.contact_position(), run.time(),
+                    fmt::format("the motion at {} = {}", task.parameter, data::shortest_text(value)));
   };
   for (int period = 0; period < task.settle; ++period) pass_period();
   SweepPoint point{.up = up, .value = value, .section = {}, .period = 0, .slips = false};

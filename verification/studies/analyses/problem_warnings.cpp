@@ -12,6 +12,7 @@
 #include "stickslip/analytic/slip_modes.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
+#include "studies/analyses/natural_frequencies.hpp"
 #include "studies/analyses/squeal.hpp"
 #include "studies/common/discretisation.hpp"
 #include "studies/common/problem_parameter.hpp"
@@ -31,6 +32,29 @@ constexpr double grown_response = 10.0;
 constexpr double allowed_growth = 36.0;  // of σ* T
 // The largest number of elements or modes for which growth_warning() computes σ*.
 constexpr int most_undamped_for_growth = 200, most_damped_for_growth = 50;
+
+struct FreeVibration {
+  double omega{}, share{};  // rad/s; of an estimate of max |f|
+};
+
+// Those of the first numerics.modes() modes of the undamped beam. max |f| is the largest of 2048 instants.
+std::vector<FreeVibration> free_vibrations(const data::Case& problem) {
+  constexpr int instants = 2048;
+  const double omega = angular_frequency(problem.excitation);
+  const auto reaction = analytic::modal_reaction(problem.beam, problem.numerics.modes());
+  const double span = std::max({problem.numerics.duration(), 1.0 / problem.excitation.frequency_hz(),
+                                2.0 * pi / reaction.modes.front().angular_frequency});
+  const analytic::ForceMaximum force(reaction, omega, span);
+  double largest = 0.0;
+  for (int i = 1; i <= instants; ++i)
+    largest = std::max(largest, std::abs(force.value(std::fmod(i * std::numbers::phi, 1.0) * span)));
+  std::vector<FreeVibration> vibrations;
+  for (const auto& [natural, coefficient] : reaction.modes)
+    vibrations.push_back({natural, std::abs(coefficient * std::pow(omega, 3) /
+                                            ((omega - natural) * (omega + natural) * natural)) /
+                                       largest});
+  return vibrations;
+}
 
 double model_error(const data::Beam& beam, double slopes, double third_derivatives) {
   const double radius_squared = beam.second_moment_of_area() / beam.area();
@@ -134,6 +158,21 @@ void warn_of_step(const data::Case& problem, int mode, std::vector<Warning>& war
                    percent(allowed_step_error))});
 }
 
+void warn_of_mesh(const data::Case& problem, std::vector<Warning>& warnings) {
+  constexpr int most_elements = 10'000;
+  const double effect = mesh_effect(problem, problem.numerics.elements());
+  if (effect <= allowed_model_error) return;
+  int enough = problem.numerics.elements() + 1;
+  while (enough < most_elements && mesh_effect(problem, enough) > allowed_model_error)
+    enough += 1 + enough / 10;
+  warnings.push_back(
+      {Concern::coarse_mesh, effect, allowed_model_error,
+       fmt::format(
+           "numerics.elements is {}, too few: the frequencies of the mesh may change the largest |f| by "
+           "up to {}; {} elements change it by {} at most",
+           problem.numerics.elements(), percent(effect), enough, percent(allowed_model_error))});
+}
+
 }  // namespace
 
 double stick_model_error(const data::Beam& beam, int mode) {
@@ -174,24 +213,33 @@ double step_error(double spectral_radius, double omega, double time_step) {
 }
 
 int highest_mode_that_matters(const data::Case& problem) {
-  constexpr int instants = 2048;
-  const double omega = angular_frequency(problem.excitation);
-  const auto reaction = analytic::modal_reaction(problem.beam, problem.numerics.modes());
-  const double span = std::max({problem.numerics.duration(), 1.0 / problem.excitation.frequency_hz(),
-                                2.0 * pi / reaction.modes.front().angular_frequency});
-  const analytic::ForceMaximum force(reaction, omega, span);
-  double largest = 0.0;
-  for (int i = 1; i <= instants; ++i) {
-    const double part = std::fmod(i * std::numbers::phi, 1.0);
-    largest = std::max(largest, std::abs(force.value(part * span)));
-  }
-  for (std::size_t n = reaction.modes.size(); n > 1; --n) {
-    const auto& [natural, coefficient] = reaction.modes[n - 1];
-    const double vibration =
-        coefficient * std::pow(omega, 3) / ((omega - natural) * (omega + natural) * natural);
-    if (std::abs(vibration) > share_that_matters * largest) return static_cast<int>(n);
-  }
+  const auto vibrations = free_vibrations(problem);
+  for (std::size_t n = vibrations.size(); n > 1; --n)
+    if (vibrations[n - 1].share > share_that_matters) return static_cast<int>(n);
   return 1;
+}
+
+double mesh_effect(const data::Case& problem, int elements) {
+  const double element = problem.beam.length() / elements;
+  double effect = mesh_frequency_error(problem.beam, angular_frequency(problem.excitation), element);
+  if (problem.beam.shear_stiffness() == 0.0)
+    effect += hermite_eigenvalue_error(problem.beam, analytic::stick_modes(problem.beam, 1).front(), element);
+  effect = std::min(1.0, effect);
+  for (const auto& [omega, share] : free_vibrations(problem)) {
+    const double decay =
+        problem.damping.ratio() * omega + 0.5 * problem.damping.kelvin_voigt() * omega * omega;
+    const double error = mesh_frequency_error(problem.beam, omega, element),
+                 time = std::min(problem.numerics.duration(), 1.0 / decay);
+    effect += share * std::min(2.0, error * (1.0 + omega * time));
+  }
+  return effect;
+}
+
+double row_effect(const data::Case& problem, double spacing) {
+  const auto lost = [&](double omega) { return 1.0 - std::cos(std::min(pi, 0.5 * omega * spacing)); };
+  double effect = lost(angular_frequency(problem.excitation));
+  for (const auto& [omega, share] : free_vibrations(problem)) effect += share * lost(omega);
+  return effect;
 }
 
 namespace {
@@ -206,7 +254,10 @@ std::vector<Warning> warnings_without_effect(const data::Case& problem, Inquiry 
     warn_of_distance(problem, warnings);
   const int mode = is_about_frequencies(inquiry) ? frequencies : highest_mode_that_matters(problem);
   warn_of_thickness(problem.beam, inquiry == Inquiry::slip_frequencies, mode, warnings);
-  if (inquiry == Inquiry::stepped_history) warn_of_step(problem, mode, warnings);
+  if (inquiry == Inquiry::stepped_history) {
+    warn_of_mesh(problem, warnings);
+    warn_of_step(problem, mode, warnings);
+  }
   return warnings;
 }
 
@@ -302,9 +353,55 @@ std::vector<std::string> warnings_after(const data::Case& problem, Inquiry inqui
                     "s; --method fe "
                     "and --method event-driven follow the slip",
                     data::shortest_text(friction_limit(problem)), data::shortest_text(*history.first_slip)));
+  if (inquiry == Inquiry::boundary_integral_history && !history.events.empty() &&
+      problem.beam.axial_force() >= analytic::slip_critical_load(problem.beam))
+    sentences.emplace_back(
+        "the weights of the boundary integral do not hold a motion that grows: after the first slip --method "
+        "fe and "
+        "--method event-driven are right");
   if (!history.events.empty())
     if (const auto growth = growth_warning(problem, inquiry)) sentences.push_back(growth->sentence);
   return sentences;
+}
+
+long look_step(const data::Case& problem, long row_step) {
+  constexpr double allowed_loss = 0.01;
+  long step = row_step;
+  while (step > 1 &&
+         row_effect(problem, static_cast<double>(step) * problem.numerics.time_step()) > allowed_loss)
+    step /= step % 2 == 0 ? 2 : step % 5 == 0 ? 5 : step;
+  return step;
+}
+
+std::optional<std::string> row_warning(const data::Case& problem, const Method& method, long look_step,
+                                       long row_step) {
+  const double step = problem.numerics.time_step(), spacing = static_cast<double>(row_step) * step,
+               half_period = 0.5 / problem.excitation.frequency_hz();
+  if (problem.excitation.amplitude() > 0.0 && spacing > half_period)
+    return fmt::format(
+        "the rows are {:.3g} s apart, more than half a period of the base, {:.3g} s: they do not show the "
+        "motion",
+        spacing, half_period);
+  const double effect = row_effect(problem, static_cast<double>(look_step) * step);
+  if (method.in_time_steps || effect <= allowed_model_error) return std::nullopt;
+  return fmt::format(
+      "the largest |f|, the largest deflection{} are those of instants {:.3g} s apart, which may miss {} of "
+      "them: a "
+      "shorter numerics.time_step misses less",
+      method.inquiry == Inquiry::closed_form_history ? " and the first slip" : "",
+      static_cast<double>(look_step) * step, percent(effect));
+}
+
+std::optional<std::string> fixed_step_warning(const data::Case& problem, double step) {
+  const int mode = highest_mode_that_matters(problem);
+  const double omega = analytic::modal_forces(problem.beam, mode).back().angular_frequency,
+               longest = std::sqrt(24.0 * allowed_step_error) / omega;
+  if (step <= longest) return std::nullopt;
+  return fmt::format(
+      "the steps of {:.2g} s are too long for natural frequency {} at {:.4g} Hz; numerics.time_step = {:.2g} "
+      "s "
+      "follows it to {}",
+      step, mode, omega / (2.0 * pi), two_digits(longest), percent(allowed_step_error));
 }
 
 double curvature_error(const data::Beam& beam, double deflection) {

@@ -14,7 +14,16 @@
 
 namespace stickslip::studies {
 
-enum class Concern { flutter, buckling, resonance, near_resonance, thick_beam, long_step, growth };
+enum class Concern {
+  flutter,
+  buckling,
+  resonance,
+  near_resonance,
+  thick_beam,
+  coarse_mesh,
+  long_step,
+  growth
+};
 
 struct Warning {
   Concern concern{};
@@ -56,6 +65,20 @@ constexpr double share_that_matters = 0.01;
 /// first mode if that is longer. The result does not depend on the amplitude.
 [[nodiscard]] int highest_mode_that_matters(const data::Case& problem);
 
+/// How much of max |f| a mesh of so many elements may change: each free vibration by its share times the phase that the
+/// relative error e of its frequency (mesh_frequency_error()) makes until it has decayed, at the rate d,
+///
+///     e(Ω) + e_s + Σ share_n min(2, e_n (1 + ω_n min(T, 1/d_n))),    T = numerics.duration(),
+///
+/// at most 1 in the first two terms; e_s, hermite_eigenvalue_error() of the first mode, is that of the stiffness next to buckling. An upper estimate: over many beats max |f| does not depend on the phases.
+[[nodiscard]] double mesh_effect(const data::Case& problem, int elements);
+
+/// How much of max |f| rows with this spacing H (s) may miss: between two rows a vibration rises above them by 1 - cos(ω H/2),
+/// and by all of its size from half a period on,
+///
+///     1 - cos(Ω H/2) + Σ share_n (1 - cos(ω_n H/2)).
+[[nodiscard]] double row_effect(const data::Case& problem, double spacing);
+
 /// The warnings for a case, each at most once, in the order of Concern:
 /// - flutter or buckling, for histories that can slip: instability_warning().
 /// - resonance, for an undamped |f| in closed form: a natural frequency of the stick state is so close to
@@ -64,6 +87,7 @@ constexpr double share_that_matters = 0.01;
 /// - near resonance, for the criterion, where resonance is not warned of: least_resonance_distance is not kept.
 /// - thick beam: stick_model_error() of the highest relevant mode, or of the highest one asked for, is above
 ///   allowed_model_error, and the beam has no shear stiffness. For the undamped criterion with shear_effect().
+/// - coarse mesh, for finite elements: mesh_effect() is above allowed_model_error.
 /// - long step, for time integration: step_error() of the highest relevant mode, or of a vibration at Ω,
 ///   is above 1 %. The limit is the largest allowed step, rounded down to two digits.
 ///
@@ -99,6 +123,19 @@ constexpr double share_that_matters = 0.01;
 /// growth_warning() if the contact changed, and that the closed form does not hold beyond its first slip.
 [[nodiscard]] std::vector<std::string> warnings_after(const data::Case& problem, Inquiry inquiry,
                                                       const History& history);
+
+/// The time steps from look to look at a history whose method takes any times: the longest divisor of the row step, in steps of
+/// 1, 2 and 5, with a row_effect() of at most 1 %; or 1.
+[[nodiscard]] long look_step(const data::Case& problem, long row_step);
+
+/// The warning that rows are too far apart: longer than half a period of the base, so that they show another motion; or, for a
+/// method that does not go from step to step, a row_effect() of the looks, `look_step` time steps apart, above allowed_model_error.
+[[nodiscard]] std::optional<std::string> row_warning(const data::Case& problem, const Method& method,
+                                                     long look_step, long row_step);
+
+/// The warning that fixed steps h (analytic::ModalContactRun) are too long: (ω h)²/24, the relative error of the impulse of a
+/// constant force on the highest mode that matters, is above 1 %.
+[[nodiscard]] std::optional<std::string> fixed_step_warning(const data::Case& problem, double step);
 
 /// The relative error of the linear curvature for a tip that is deflected by w (m) relative to the base. A beam has the
 /// curvature y''/(1 + y'²)^(3/2), which y'' exceeds by 3/2 y'² to leading order; a cantilever with a force at its tip has the largest slope

@@ -53,7 +53,7 @@ History event_driven_history(const data::Case& problem, const Sampling& sampling
     HistoryRow row = row_of(run);
     row.midspan_displacement = analytic::absolute_displacement(midspan, run);
     for (const auto& shape : shapes) row.displacement.push_back(analytic::absolute_displacement(shape, run));
-    add_row(history, sink, std::move(row));
+    add_row(problem, history, sink, std::move(row));
   });
   set_events(history, events_of(run, beam.model().wall_speed));
   return history;
@@ -86,7 +86,7 @@ History closed_form_history(const data::Case& problem, const Sampling& sampling,
     for (const double x : sampling.positions)
       row.displacement.push_back(response.absolute_displacement(x, time));
     if (!history.first_slip && std::abs(row.friction_force) > limit) history.first_slip = time;
-    add_row(history, sink, std::move(row));
+    add_row(problem, history, sink, std::move(row));
   });
   return history;
 }

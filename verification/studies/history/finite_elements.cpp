@@ -35,7 +35,7 @@ History finite_element_history(const data::Case& problem, const Sampling& sampli
   };
   step_to(for_each_row(problem, sampling, [&](long step, double) {
     step_to(step);
-    add_row(history, sink,
+    add_row(problem, history, sink,
             row_of(simulation,
                    step % sampling.positions_every == 0 ? sampling.positions : std::vector<double>()));
   }));

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -12,6 +13,7 @@
 
 #include "stickslip/analytic/amplitude_spectrum.hpp"
 #include "stickslip/analytic/modal_reaction.hpp"
+#include "stickslip/data/case_file.hpp"
 #include "stickslip/data/input_error.hpp"
 #include "stickslip/data/key.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
@@ -41,7 +43,19 @@ void Bending::include(const HistoryRow& row, double length) {
   draw_back = std::max(draw_back, (8.0 * fine - coarse) / (12.0 * interval));
 }
 
-void add_row(History& history, const RowSink& sink, HistoryRow row) {
+void require_bounded(const data::Case& problem, double deflection, double time, const std::string& motion) {
+  if (!std::isfinite(deflection))
+    data::throw_overflow(fmt::format("{} is not finite at {:.6g} s", motion, time));
+  if (std::abs(deflection) <= most_deflection * (problem.beam.length() + problem.excitation.amplitude()))
+    return;
+  throw data::InputError(fmt::format(
+      "{} is stopped at {:.6g} s: the tip is deflected by {:.3g} m, more than {:.0f} times the length of "
+      "the beam: it grows without end, as beyond flutter or buckling once the tip slips",
+      motion, time, std::abs(deflection), most_deflection));
+}
+
+void add_row(const data::Case& problem, History& history, const RowSink& sink, HistoryRow row) {
+  require_bounded(problem, row.tip_displacement - row.base_displacement, row.time);
   if (sink)
     sink(row);
   else
@@ -145,12 +159,14 @@ long usual_row_step(const data::Case& problem, double span) {
   return usual;
 }
 
-std::size_t spectrum_rows(const data::Case& problem, long every) {
+SpectrumWindow spectrum_window(const data::Case& problem, long every) {
   constexpr double rounding = 1e-9;
   constexpr long long most_rows = 4'000'000;
+  const bool rests = problem.excitation.amplitude() == 0.0;
   const double row_step = static_cast<double>(every) * problem.numerics.time_step(),
-               period = 1.0 / problem.excitation.frequency_hz();
-  const double periods = std::floor(0.5 * problem.numerics.duration() / period + rounding);
+               half = 0.5 * problem.numerics.duration(),
+               period = rests ? half : 1.0 / problem.excitation.frequency_hz();
+  const double periods = std::floor(half / period + rounding);
   const auto rows = std::llround(periods * period / row_step);
   if (periods < 1.0)
     throw data::FieldError(
@@ -158,26 +174,69 @@ std::size_t spectrum_rows(const data::Case& problem, long every) {
         fmt::format("at least two periods of the base motion, {} s, where --spectrum is given",
                     data::shortest_text(2.0 * period)));
   if (static_cast<double>(rows) < 2.0 * periods)
-    throw data::FieldError(
-        "--every", static_cast<double>(every),
-        "small enough for two rows in a period of the base motion where --spectrum is given");
+    throw data::FieldError("--every", static_cast<double>(every),
+                           fmt::format("small enough for two rows in {} where --spectrum is given",
+                                       rests ? "half of the duration" : "a period of the base motion"));
   if (rows > most_rows)
     throw data::FieldError("--every", static_cast<double>(every),
                            fmt::format("large enough for at most {} rows in a spectrum", most_rows));
-  return static_cast<std::size_t>(rows);
+  return {static_cast<std::size_t>(rows), rests ? 0 : std::lround(periods)};
 }
 
-std::vector<SpectrumLine> spectrum_of(const std::vector<double>& tip_displacements,
-                                      const std::vector<double>& friction_forces, std::size_t rows,
-                                      double row_step) {
-  const auto amplitudes = [rows](const std::vector<double>& values) {
-    return analytic::amplitude_spectrum({values.end() - static_cast<std::ptrdiff_t>(rows), values.end()});
+namespace {
+
+// The share of the amplitude, but for the mean value, that is in no multiple of line `periods`.
+double leak_of(const std::vector<double>& amplitudes, std::size_t periods) {
+  double all = 0.0, others = 0.0;
+  for (std::size_t k = 1; k < amplitudes.size(); ++k) {
+    const double square = amplitudes[k] * amplitudes[k];
+    all += square;
+    if (k % periods != 0) others += square;
+  }
+  return others > 0.0 ? std::sqrt(others / all) : 0.0;
+}
+
+std::vector<double> flat_top_spectrum(std::vector<double> values) {
+  constexpr std::array terms{1.0, -1.90796, 1.07349, -0.18199};
+  const auto count = static_cast<double>(values.size());
+  std::vector<double> weights(values.size());
+  double mean = 0.0;
+  for (std::size_t n = 0; n < values.size(); ++n) {
+    const double z = 2.0 * std::numbers::pi * static_cast<double>(n) / count;
+    for (std::size_t k = 0; k < terms.size(); ++k)
+      weights[n] += terms[k] * std::cos(static_cast<double>(k) * z);
+    mean += weights[n] * values[n] / count;  // that of the weights is 1
+  }
+  for (std::size_t n = 0; n < values.size(); ++n) values[n] = weights[n] * (values[n] - mean);
+  auto amplitudes = analytic::amplitude_spectrum(values);
+  amplitudes.front() = std::abs(mean);
+  return amplitudes;
+}
+
+}  // namespace
+
+Spectrum spectrum_of(const std::vector<double>& tip_displacements, const std::vector<double>& friction_forces,
+                     const SpectrumWindow& window, double row_step) {
+  constexpr long least_periods = 8;
+  const auto last = [&](const std::vector<double>& values) {
+    return std::vector<double>(values.end() - static_cast<std::ptrdiff_t>(window.rows), values.end());
   };
-  const auto tip = amplitudes(tip_displacements), force = amplitudes(friction_forces);
-  std::vector<SpectrumLine> lines;
+  auto tip = analytic::amplitude_spectrum(last(tip_displacements)),
+       force = analytic::amplitude_spectrum(last(friction_forces));
+  Spectrum spectrum{.is_flat_top = window.periods == 0, .leak = 0.0, .lines = {}};
+  if (window.periods > 0) {
+    const auto periods = static_cast<std::size_t>(window.periods);
+    spectrum.leak = std::max(leak_of(tip, periods), leak_of(force, periods));
+    spectrum.is_flat_top = spectrum.leak > allowed_leak && window.periods >= least_periods;
+  }
+  if (spectrum.is_flat_top) {
+    tip = flat_top_spectrum(last(tip_displacements));
+    force = flat_top_spectrum(last(friction_forces));
+  }
   for (std::size_t k = 0; k < tip.size(); ++k)
-    lines.push_back({static_cast<double>(k) / (static_cast<double>(rows) * row_step), tip[k], force[k]});
-  return lines;
+    spectrum.lines.push_back(
+        {static_cast<double>(k) / (static_cast<double>(window.rows) * row_step), tip[k], force[k]});
+  return spectrum;
 }
 
 }  // namespace stickslip::studies

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "stickslip/data/contact_event.hpp"
@@ -65,8 +66,17 @@ struct Sampling {
 /// Receives rows as they come.
 using RowSink = std::function<void(const HistoryRow&)>;
 
-/// Hands the row to the sink or, without one, keeps it in the history.
-void add_row(History& history, const RowSink& sink, HistoryRow row);
+/// Beyond flutter or buckling in slip the linear model moves away without end. It is stopped where the tip is this many times the length
+/// of the beam and the amplitude of the base away from the base.
+inline constexpr double most_deflection = 100.0;
+
+/// Throws data::InputError, naming the time (s), for a deflection y(L) - h (m) beyond that or one that is not finite. `motion`
+/// begins the message.
+void require_bounded(const data::Case& problem, double deflection, double time,
+                     const std::string& motion = "the motion");
+
+/// Hands the row to the sink or, without one, keeps it in the history. Throws as require_bounded().
+void add_row(const data::Case& problem, History& history, const RowSink& sink, HistoryRow row);
 
 /// Calls `row` with the step of numerics.time_step() and the time (s) of each row, ascending. Returns the step with which
 /// the run ends.
@@ -128,15 +138,40 @@ struct SpectrumLine {
   double friction_force{};    ///< amplitude of f, N
 };
 
-/// The number of last rows, `every` time steps apart, that hold the whole periods of the base motion in the second half of
-/// the duration. Throws data::FieldError, naming excitation.duration, if that has less than two periods, and naming
-/// --every, if a period has less than two rows or if there are more than four million.
-[[nodiscard]] std::size_t spectrum_rows(const data::Case& problem, long every);
+/// The last rows of a history, over which a spectrum is taken.
+struct SpectrumWindow {
+  std::size_t rows{};
+  long periods{};  ///< of the base motion in them; 0 if the base rests
+};
 
-/// The spectra of the last `rows` values, `row_step` (s) apart. Where a value jumps, as the force at a capture, the sum over rows is off: the
+/// Those with the whole periods of the base motion in the second half of the duration, `every` time steps apart; with a base
+/// that rests, all of that half. Throws data::FieldError, naming excitation.duration, if that has less than two periods, and naming
+/// --every, if a period (with a base that rests, the half) has less than two rows or if there are more than four million.
+[[nodiscard]] SpectrumWindow spectrum_window(const data::Case& problem, long every);
+
+inline constexpr double allowed_leak = 0.01;
+struct Spectrum {
+  bool is_flat_top{};
+  double
+      leak{};  ///< 0 ... 1: how much of the amplitude (root of the share of the squares) is no harmonic of the base
+  std::vector<SpectrumLine> lines;
+};
+
+/// The spectra of the last values, `row_step` (s) apart. A vibration with the period of the base has its amplitudes as lines
+/// of the whole periods. Of any other vibration, as a self-excited one, a number of periods that is not whole would leak: where the lines
+/// that are no harmonics of the base hold more than allowed_leak of the amplitude, or the base rests, the values less their
+/// weighted mean are multiplied by the flat-top window
+///
+///     w_n = 1 - 1.90796 cos z + 1.07349 cos 2z - 0.18199 cos 3z,    z = 2 pi n/rows
+///
+/// (HFT70 of Heinzel, Ruediger & Schilling, Spectrum and spectral density estimation by the discrete Fourier transform, 2002). The
+/// highest line of a vibration is then its amplitude to 0.08 %, at its frequency to half a line, and the four lines
+/// on each side belong to it as well. Below eight periods of the base harmonics would overlap: these stay as they are.
+///
+/// Where a value jumps, as the force at a capture, the sum over rows is off: the
 /// error of an amplitude is up to the sum of the jumps in a period over the number of rows in it.
-[[nodiscard]] std::vector<SpectrumLine> spectrum_of(const std::vector<double>& tip_displacements,
-                                                    const std::vector<double>& friction_forces,
-                                                    std::size_t rows, double row_step);
+[[nodiscard]] Spectrum spectrum_of(const std::vector<double>& tip_displacements,
+                                   const std::vector<double>& friction_forces, const SpectrumWindow& window,
+                                   double row_step);
 
 }  // namespace stickslip::studies

@@ -6,6 +6,7 @@
 #include "stickslip/data/case_file.hpp"
 #include "studies/common/convergence.hpp"
 #include "studies/history/method.hpp"
+#include "support/random_beams.hpp"
 #include "support/testing.hpp"
 
 namespace stickslip::testing {
@@ -224,11 +225,11 @@ TEST(HistorySpectrum, HasTheLinesOfWholePeriods) {
   // 0.18 s of 25 Hz: its second half has two whole periods.
   const data::Case problem =
       case_of("paper", {{"excitation.duration", "0.18"}, {"numerics.time_step", "1e-3"}});
-  EXPECT_EQ(studies::spectrum_rows(problem, 1), 80u);
-  EXPECT_EQ(studies::spectrum_rows(problem, 5), 16u);
-  EXPECT_EQ(studies::spectrum_rows(problem, 20), 4u);  // two in a period
-  EXPECT_THROW((void)studies::spectrum_rows(problem, 25), data::FieldError);
-  EXPECT_THROW((void)studies::spectrum_rows(case_of("paper", {{"excitation.duration", "0.07"}}), 1),
+  EXPECT_EQ(studies::spectrum_window(problem, 1).rows, 80u);
+  EXPECT_EQ(studies::spectrum_window(problem, 5).rows, 16u);
+  EXPECT_EQ(studies::spectrum_window(problem, 20).rows, 4u);  // two in a period
+  EXPECT_THROW((void)studies::spectrum_window(problem, 25), data::FieldError);
+  EXPECT_THROW((void)studies::spectrum_window(case_of("paper", {{"excitation.duration", "0.07"}}), 1),
                data::FieldError);
   std::vector<double> tip, force;
   for (int n = 0; n <= 180; ++n) {
@@ -236,12 +237,71 @@ TEST(HistorySpectrum, HasTheLinesOfWholePeriods) {
     tip.push_back(1e-3 + 2e-3 * std::sin(phase));
     force.push_back(3.0 * std::cos(2.0 * phase));
   }
-  const auto lines = studies::spectrum_of(tip, force, 80, 1e-3);
+  const auto [is_flat_top, leak, lines] = studies::spectrum_of(tip, force, {80, 2}, 1e-3);
+  EXPECT_FALSE(is_flat_top);
   EXPECT_DOUBLE_EQ(lines[2].frequency_hz, 25.0);
   for (std::size_t k = 0; k < lines.size(); ++k) {
     EXPECT_NEAR(lines[k].tip_displacement, k == 0 ? 1e-3 : k == 2 ? 2e-3 : 0.0, 1e-15);
     EXPECT_NEAR(lines[k].friction_force, k == 4 ? 3.0 : 0.0, 1e-12);
   }
+}
+
+// Of any period, beside that of the base or with a base that rests. The window falls short of an amplitude by 0.08 % at most.
+TEST(HistorySpectrum, HasTheAmplitudesOfOtherPeriods) {
+  RandomNumbers numbers(1);
+  for (int i = 0; i < 20; ++i) {
+    const long periods = i % 2 == 0 ? 0 : 20;
+    const double other = numbers.uniform(30.0, 35.0), amplitude = numbers.log_uniform(0.1, 10.0);
+    std::vector<double> tip;
+    for (int n = 0; n < 2000; ++n) {
+      const double phase = 2.0 * std::numbers::pi * n / 2000.0;
+      tip.push_back(3.0 + (periods > 0 ? std::sin(20.0 * phase) : 0.0) + amplitude * std::sin(other * phase));
+    }
+    const auto spectrum = studies::spectrum_of(tip, tip, {2000, periods}, 1e-3);
+    EXPECT_TRUE(spectrum.is_flat_top);
+    const auto line = [&](double at) { return spectrum.lines[std::lround(at)].tip_displacement; };
+    EXPECT_NEAR(line(other), amplitude, 1e-3 * amplitude) << other;
+    EXPECT_NEAR(line(0.0), 3.0, 1e-3 * (1.0 + amplitude)) << other;
+    if (periods > 0) {
+      EXPECT_NEAR(line(20.0), 1.0, 1e-3 * (1.0 + amplitude)) << other;
+    }
+  }
+}
+
+STICKSLIP_VERIFIES(EndlessMotion, "X21");
+TEST(EndlessMotion, IsStopped) {
+  const auto problem = case_of("paper", {{"beam.axial_force", "8e4"},
+                                         {"beam.axial_direction", "0.35"},  // flutter at 6.87e4 N
+                                         {"friction.static_coefficient", "0.01"},
+                                         {"friction.kinetic_coefficient", "0.005"},
+                                         {"excitation.duration", "1"},
+                                         {"numerics.time_step", "2e-4"},
+                                         {"numerics.modes", "5"}});
+  for (const std::string name : {"fe", "event-driven"}) {
+    const auto& each = studies::method(name);
+    double largest = 0.0;
+    try {
+      (void)each.run(problem, {.every = 5}, {}, [&](const studies::HistoryRow& row) {
+        largest = std::max(largest, std::abs(row.tip_displacement));
+      });
+      ADD_FAILURE() << each.name;
+    } catch (const data::InputError& error) {
+      EXPECT_TRUE(holds(error.what(), "the motion is stopped at 0.")) << each.name << error.what();
+    }
+    EXPECT_LT(largest, studies::most_deflection * problem.beam.length() + 1.0) << each.name;
+  }
+}
+
+// What no step solves, twice the step of the method does not take either.
+TEST(BoundaryIntegralContact, TakesAStepWithOneSolution) {
+  const auto problem = case_of("paper", {{"friction.decay", "30"},
+                                         {"friction.kinetic_coefficient", "0.01"},
+                                         {"beam.axial_force", "5e4"},
+                                         {"excitation.duration", "0.002"},
+                                         {"excitation.amplitude", "1e-5"}});
+  const double step = studies::boundary_integral_step(problem);
+  EXPECT_LT(step, studies::boundary_integral_step(case_of("paper")));
+  EXPECT_NO_THROW((void)studies::method("boundary-integral").run(problem, {}, {}, {}));
 }
 
 }  // namespace

@@ -90,6 +90,63 @@ TEST(ThickBeam, IsWarnedOfAboveTheErrorThatPasses) {
   }
 }
 
+// --- Meshes and rows: no warning, so the largest |f| of a tip that sticks is good
+
+// Undamped cases, whose largest |f| is cheap.
+const CaseDomain of_forces{
+    .shortest = 0.3, .longest = 30.0, .kelvin_voigt = 0.0, .ratio = 0.0, .resonant = 0.1};
+
+STICKSLIP_VERIFIES(CoarseMesh, "X21");
+TEST(CoarseMesh, IsWarnedOfWhereHalfTheElementsDiffer) {
+  int differ = 0, silent = 0;
+  on_random_cases(40, of_forces, [&](const CaseText& text, RandomNumbers& numbers) {
+    const data::Case fine = text.problem();
+    const int elements = static_cast<int>(numbers.log_uniform(1.0, 16.0));
+    const auto force = [&](int number) {
+      return solver::max_abs_friction_force(data::with_value(fine, "numerics.elements", number));
+    };
+    const data::Case coarse = data::with_value(fine, "numerics.elements", elements);
+    const bool is_silent = !warns(coarse, Inquiry::stepped_history, Concern::coarse_mesh) &&
+                           !warns(coarse, Inquiry::stepped_history, Concern::long_step);
+    const double change = std::abs(force(elements) / force(2 * elements) - 1.0);
+    differ += change > 0.05 ? 1 : 0;
+    silent += is_silent ? 1 : 0;
+    EXPECT_FALSE(is_silent && change > 0.05) << elements << " elements: " << change;
+  });
+  EXPECT_GT(differ, 8);
+  EXPECT_GT(silent, 8);
+}
+
+STICKSLIP_VERIFIES(DistantRows, "X21");
+TEST(DistantRows, AreWarnedOfWhereFinerRowsDiffer) {
+  int differ = 0, silent = 0;
+  const auto& method = studies::method("closed-form");
+  on_random_cases(40, of_forces, [&](const CaseText& text, RandomNumbers& numbers) {
+    const data::Case problem = text.problem();
+    const double spacing = std::min(numbers.log_uniform(0.02, 1.0) / problem.excitation.frequency_hz(),
+                                    0.3 * problem.numerics.duration());
+    const long every = std::max(std::lround(spacing / problem.numerics.time_step()), 1L);
+    const auto force = [&](long step) {
+      double largest = 0.0;
+      (void)method.run(problem, {.every = std::max(step, 1L)}, {}, [&](const studies::HistoryRow& row) {
+        largest = std::max(largest, std::abs(row.friction_force));
+      });
+      return largest;
+    };
+    const bool is_silent = !studies::row_warning(problem, method, every, every);
+    const double change = 1.0 - force(every) / force(every / 20);
+    differ += change > 0.05 ? 1 : 0;
+    silent += is_silent ? 1 : 0;
+    EXPECT_FALSE(is_silent && change > 0.05) << every << " steps: " << change;
+    // What the command looks at is good.
+    EXPECT_LE(studies::row_effect(problem, static_cast<double>(studies::look_step(problem, every)) *
+                                               problem.numerics.time_step()),
+              studies::allowed_model_error);
+  });
+  EXPECT_GT(differ, 4);
+  EXPECT_GT(silent, 4);
+}
+
 // --- Steps
 
 STICKSLIP_VERIFIES(LongStep, "X21");
