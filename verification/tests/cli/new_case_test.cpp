@@ -11,6 +11,7 @@
 
 #include "stickslip/data/case_file.hpp"
 #include "support/command_line.hpp"
+#include "support/random_cases.hpp"
 #include "support/requirements.hpp"
 
 namespace stickslip::testing {
@@ -206,38 +207,58 @@ TEST_F(RespondFigure, IsDrawnFromTheRowsAndTheLimit) {
 }
 
 // Of more rows than two for each of a thousand columns, the smallest and the largest value of each column in the order in which
-// they come. They slip if a row of the column does.
-TEST_F(RespondFigure, OfManyRowsHasTheExtremesOfEachColumn) {
+// they come, of the rows that stick and of those that slip apart.
+TEST_F(RespondFigure, OfManyRowsHasTheExtremesOfEachState) {
   install_gnuplot("cat \"${folder}history.csv\" > $output\n");
-  const Outcome outcome = run(
-      "respond paper --hz 70 --duration 0.02 --set numerics.time_step=2e-6 --every 1 --output history.csv "
-      "--figure history.png");
-  ASSERT_EQ(outcome.status, 0) << outcome.errors;
-  const auto rows = csv(contents("history.csv")), drawn = csv(contents("history.png"));
-  ASSERT_EQ(rows.size(), 10002u);
-  const double width = 0.02 / 1000.0;
-  std::size_t slipping = 0, at = 1;
-  for (std::size_t first = 1, end = 1; first < rows.size(); first = end) {
-    const auto column = [&](std::size_t row) { return std::floor(std::stod(rows[row][0]) / width); };
-    bool slips = false;
-    for (end = first; end < rows.size() && column(end) == column(first); ++end)
-      slips = slips || rows[end].back() == "slip";
-    slipping += slips ? 1 : 0;
-    const std::size_t count = end > first + 1 ? 2 : 1;
-    ASSERT_LE(at + count, drawn.size());
-    for (std::size_t i = 1; i + 1 < rows[0].size(); ++i) {
-      const auto cell = [&](const auto& row) { return std::stod(row[i]); };
-      const auto [least, most] =
-          std::minmax_element(rows.begin() + static_cast<long>(first), rows.begin() + static_cast<long>(end),
-                              [&](const auto& a, const auto& b) { return cell(a) < cell(b); });
-      EXPECT_EQ(drawn[at][i], std::min(least, most)->at(i)) << rows[first][0];
-      EXPECT_EQ(drawn[at + count - 1][i], std::max(least, most)->at(i)) << rows[first][0];
+  std::size_t slipping = 0, mixed = 0;
+  const auto expect_extremes = [&](const std::string& options, double duration) {
+    const Outcome outcome =
+        run("respond " + options + " --every 1 --output history.csv --figure history.png");
+    ASSERT_EQ(outcome.status, 0) << outcome.errors;
+    const auto rows = csv(contents("history.csv")), drawn = csv(contents("history.png"));
+    ASSERT_GT(rows.size(), 3000u);
+    std::size_t at = 1;
+    for (std::size_t first = 1, end = 1; first < rows.size(); first = end) {
+      const auto column = [&](std::size_t row) {
+        return std::floor(std::stod(rows[row][0]) / (duration / 1000.0));
+      };
+      std::vector<std::vector<std::vector<std::string>>> states;  // rows of a column with one state
+      for (end = first; end < rows.size() && column(end) == column(first); ++end) {
+        auto of =
+            std::ranges::find(states, rows[end].back(), [](const auto& same) { return same.front().back(); });
+        if (of == states.end()) of = states.emplace(states.end());
+        of->push_back(rows[end]);
+      }
+      mixed += states.size() > 1 ? 1 : 0;
+      for (const auto& same : states) {
+        const std::size_t count = std::min<std::size_t>(same.size(), 2);
+        ASSERT_LE(at + count, drawn.size());
+        slipping += same.front().back() == "slip" ? 1 : 0;
+        for (std::size_t i = 1; i + 1 < rows[0].size(); ++i) {
+          const auto cell = [&](const auto& row) { return std::stod(row[i]); };
+          const auto [least, most] = std::minmax_element(
+              same.begin(), same.end(), [&](const auto& a, const auto& b) { return cell(a) < cell(b); });
+          // An extreme that comes twice, but for rounding, may stand first or last.
+          const bool turned = cell(*most) - cell(*least) < 1e-12 * std::abs(cell(*most)) &&
+                              drawn[at][i] == std::max(least, most)->at(i);
+          EXPECT_EQ(drawn[turned ? at + count - 1 : at][i], std::min(least, most)->at(i)) << same.front()[0];
+          EXPECT_EQ(drawn[turned ? at : at + count - 1][i], std::max(least, most)->at(i)) << same.front()[0];
+        }
+        for (std::size_t k = 0; k < count; ++k, ++at) EXPECT_EQ(drawn[at].back(), same.front().back());
+      }
     }
-    for (std::size_t k = 0; k < count; ++k, ++at)
-      EXPECT_EQ(drawn[at].back(), slips ? "slip" : "stick") << rows[first][0];
-  }
-  EXPECT_EQ(at, drawn.size());
-  EXPECT_GT(slipping, 100u);
+    EXPECT_EQ(at, drawn.size());
+  };
+  expect_extremes("paper --hz 70 --duration 0.02 --set numerics.time_step=2e-6", 0.02);
+  on_random_cases(3, {.lowest_load = 2.0, .shortest = 3.0, .jump = 0.0}, [&](const CaseText& text, auto&) {
+    std::ofstream(path("random.toml")) << text.text();
+    const double duration = text.problem().numerics.duration();
+    expect_extremes(fmt::format("random.toml --method event-driven --set numerics.time_step={}",
+                                data::shortest_text(duration / 4096.0)),
+                    duration);
+  });
+  EXPECT_GT(slipping, 300u);
+  EXPECT_GT(mixed, 10u);
 }
 
 // The rows of a table of numbers under its names.
