@@ -17,11 +17,13 @@ double amplitude_at(double limit, double per_unit) {
 }  // namespace
 
 std::string_view to_string(Verdict verdict) noexcept {
+  if (verdict == Verdict::undecided) return "undecided";
   return verdict == Verdict::stick ? "stick" : "stick-slip";
 }
 
 Verdict verdict_of(const Bounds& force, double limit) noexcept {
-  return force.lower > limit ? Verdict::stick_slip : Verdict::stick;
+  if (force.lower > limit) return Verdict::stick_slip;
+  return force.upper <= limit ? Verdict::stick : Verdict::undecided;
 }
 
 void require_contact(const data::Beam& beam) {

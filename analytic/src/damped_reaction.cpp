@@ -24,7 +24,35 @@ using Complex = std::complex<double>;
 constexpr double kUnitRoundoff = 0.5 * std::numeric_limits<double>::epsilon();
 constexpr double kMostPieces = 1e8;
 
+constexpr double kTail = 1.04;
+
 double cubed(double x) { return x * x * x; }
+
+// P of one sign of Ω, the amplitude of what drives a share.
+Complex drive(const ModalShare& share, double signed_omega) {
+  return 0.5 * (std::abs(signed_omega) * share.cosine -
+                Complex(0.0, signed_omega * std::abs(signed_omega)) * share.sine);
+}
+
+// The shares of `half` at the places of those of `all` with the nearest eigenvalues, and at the others shares of nothing.
+std::vector<ModalShare> matched(const std::vector<ModalShare>& all, const std::vector<ModalShare>& half) {
+  std::vector<ModalShare> partners(all.size());
+  std::vector<bool> taken(all.size(), false);
+  for (std::size_t k = 0; k < all.size(); ++k) partners[k].eigenvalue = all[k].eigenvalue;
+  for (const ModalShare& share : half) {
+    double least = std::numeric_limits<double>::infinity();
+    std::size_t nearest = 0;
+    for (std::size_t k = 0; k < all.size(); ++k)
+      if (const double distance = std::abs(all[k].eigenvalue - share.eigenvalue);
+          !taken[k] && distance < least) {
+        least = distance;
+        nearest = k;
+      }
+    taken[nearest] = true;
+    partners[nearest] = share;
+  }
+  return partners;
+}
 
 }  // namespace
 
@@ -99,10 +127,11 @@ DampedForce::DampedForce(const DampedReaction& reaction, double angular_frequenc
   Complex apart = steady;  // without what is in the beats
   double cancelled = std::abs(steady);
   terms_.push_back({0.0, i * omega});
-  for (const auto& [eigenvalue, sine, cosine, start] : reaction.shares) {
-    Complex transient = start * omega;
+  for (const ModalShare& one : reaction.shares) {
+    const Complex eigenvalue = one.eigenvalue;
+    Complex transient = one.start * omega;
     for (const double sign : {1.0, -1.0}) {
-      const Complex amplitude = 0.5 * omega * (cosine - sign * i * omega * sine), pole = sign * i * omega;
+      const Complex amplitude = drive(one, sign * omega), pole = sign * i * omega;
       const Complex share = amplitude / (pole - eigenvalue);
       steady += sign > 0.0 ? share : std::conj(share);
       if (std::abs(pole - eigenvalue) * duration < 2.0) {
@@ -129,6 +158,60 @@ DampedForce::DampedForce(const DampedReaction& reaction, double angular_frequenc
     rounding_ +=
         std::abs(beat.amplitude) * duration * (4.0 * std::abs(beat.exponent) * duration + operations);
   rounding_ *= kUnitRoundoff;
+}
+
+DampedForce::DampedForce(const DampedReaction& reaction, double angular_frequency, double duration,
+                         const DampedReaction& half)
+    : DampedForce(reaction, angular_frequency, duration) {
+  bound_omitted(reaction, half);
+}
+
+void DampedForce::bound_omitted(const DampedReaction& reaction, const DampedReaction& half) {
+  const Complex i(0.0, 1.0);
+  Complex steady =
+      -i * (reaction.quasi_static - half.quasi_static + (reaction.inertia - half.inertia) * omega_ * omega_) +
+      (reaction.rate - half.rate) * omega_;
+  Complex apart = steady;  // without what is in the beats
+  double rounding = 0.0, beats = 0.0, fastest = 0.0;
+  for (const ModalShare& share : reaction.shares) fastest = std::max(fastest, std::abs(share.eigenvalue));
+  const auto partners = matched(reaction.shares, half.shares);
+  for (std::size_t k = 0; k < partners.size(); ++k) {
+    const ModalShare &now = reaction.shares[k], &before = partners[k];
+    const double slip = 8.0 * kUnitRoundoff * fastest,
+                 shift = std::abs(now.eigenvalue - before.eigenvalue) + slip;
+    const double rate = -std::max(now.eigenvalue.real(), before.eigenvalue.real());
+    Complex change = (now.start - before.start) * omega_;
+    double size = std::abs(now.start) * omega_;
+    for (const double sign : {1.0, -1.0}) {
+      const Complex pole = sign * i * omega_, p = drive(now, sign * omega_), q = drive(before, sign * omega_);
+      const Complex share = p / (pole - now.eigenvalue), difference = share - q / (pole - before.eigenvalue);
+      const double distance = std::min(std::abs(pole - now.eigenvalue), std::abs(pole - before.eigenvalue));
+      steady += sign > 0.0 ? difference : std::conj(difference);
+      rounding += std::abs(share) * slip / distance;
+      if (distance * duration_ < 2.0) {
+        beats += duration_ * (std::abs(p - q) + 0.5 * shift * duration_ * std::abs(p));
+        continue;
+      }
+      apart += sign > 0.0 ? difference : std::conj(difference);
+      change -= difference;
+      size += std::abs(share);
+    }
+    omitted_.push_back({std::abs(change), rate});
+    // t exp(-d t) ≤ T exp(-d t), and ≤ 2/(e d) exp(-d t/2)
+    if (rate * duration_ < 1.0)
+      omitted_.push_back({size * shift * duration_, rate});
+    else
+      omitted_.push_back({size * shift * 2.0 / (std::numbers::e * rate), 0.5 * rate});
+  }
+  omitted_.push_back({std::abs(apart) + beats + rounding, 0.0});
+  for (Decay& decay : omitted_) decay.amplitude *= kTail;
+  steady_omitted_ = kTail * (std::abs(steady) + rounding);
+}
+
+double DampedForce::omitted(double t) const {
+  double sum = 0.0;
+  for (const auto& [amplitude, rate] : omitted_) sum += amplitude * std::exp(-rate * t);
+  return sum;
 }
 
 void DampedForce::add(Jet& sum, const Term& term, double t) const {
@@ -173,14 +256,16 @@ class DampedForce::Search {
     double end = force.duration_;
     if (const auto settled = settling_time()) {
       end = *settled;
-      const double amplitude = std::abs(force.terms_.front().amplitude), rest = force.transient_bound(end);
-      lower_ = amplitude - rest - force.rounding_;
-      upper_ = amplitude + rest + force.rounding_;
+      const double amplitude = std::abs(force.terms_.front().amplitude);
+      const double rest = force.transient_bound(end) + force.omitted(end) + force.rounding_;
+      lower_ = std::max(0.0, amplitude - rest);
+      upper_ = amplitude + rest;
     }
     constexpr int looks = 64;
     const double early = std::min(end, 60.0 / force.omega_);
     for (int k = 1; k <= looks; ++k)
-      for (const double span : {early, end}) see(force.value(span * k / looks), force.rounding_);
+      for (const double span : {early, end})
+        see(span * k / looks, force.value(span * k / looks), force.rounding_);
     require_count(end * force.omega_);
     const double count = std::ceil(end * force.omega_ / 64.0);
     radius_ = 0.5 * end / count;
@@ -191,7 +276,9 @@ class DampedForce::Search {
   [[nodiscard]] Bounds bounds() const { return {lower_, std::max(lower_, upper_)}; }
 
  private:
-  void see(double value, double uncertainty) { lower_ = std::max(lower_, std::abs(value) - uncertainty); }
+  void see(double t, double value, double uncertainty) {
+    lower_ = std::max(lower_, std::abs(value) - uncertainty - force_.omitted(t));
+  }
 
   void require_count(double count) const {
     if (!(count <= kMostPieces))
@@ -217,13 +304,13 @@ class DampedForce::Search {
     return upper <= (1.0 + relative_width_) * lower_ + 2.0 * force_.rounding_;
   }
 
-  /// The bound of a piece, with its value seen unless the sum of the amplitudes is bound enough, or the piece is
-  /// too wide for a parabola.
-  [[nodiscard]] double upper_of(double centre) {
+  /// The bound of a piece without what is omitted, with its value seen unless the sum of the amplitudes is bound enough,
+  /// or the piece is too wide for a parabola.
+  [[nodiscard]] double upper_of(double centre, double omitted) {
     const double start = std::max(0.0, centre - radius_), reach = cubed(radius_) / 6.0;
     const double largest = std::abs(force_.terms_.front().amplitude) + force_.transient_bound(start) +
                            beats_value_ + force_.rounding_;
-    if (is_done(largest) || radius_ * force_.omega_ > 1.0) return largest;
+    if (is_done(largest + omitted) || radius_ * force_.omega_ > 1.0) return largest;
     Jet sum;
     double rest = force_.rounding_, excess = 0.0;
     for (const Term& term : force_.terms_) {
@@ -238,16 +325,19 @@ class DampedForce::Search {
     }
     for (const Beat& beat : force_.beats_) force_.add(sum, beat, centre);
     excess += beats_third_ * reach;
-    see(sum.value, rest);
+    see(centre, sum.value, rest);
     return std::min(largest, largest_parabola(sum.value, sum.slope, sum.curvature, radius_) + excess + rest);
   }
 
   void halve() {
     std::vector<double> left;
     for (const double centre : centres_) {
-      const double upper = upper_of(centre);
-      if (is_done(upper)) {
-        upper_ = std::max(upper_, upper);
+      const double omitted = force_.omitted(std::max(0.0, centre - radius_));
+      const double upper = upper_of(centre, omitted);
+      // What is omitted widens the bounds, but no more than it does at the end of the piece, twice.
+      if (is_done(upper + omitted) ||
+          (is_done(upper - omitted) && omitted <= 2.0 * force_.omitted(centre + radius_))) {
+        upper_ = std::max(upper_, upper + omitted);
         continue;
       }
       left.push_back(centre - 0.5 * radius_);

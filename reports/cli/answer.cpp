@@ -45,6 +45,7 @@ std::string significant(double value, int digits) {
 std::string common_digits(const analytic::Bounds& bounds) {
   if (bounds.lower == bounds.upper) return exact(bounds.lower).text;
   if (const int digits = studies::common_digits(bounds); digits > 0) return significant(bounds.lower, digits);
+  if (std::isinf(bounds.upper)) return significant(bounds.lower, 2) + " or more";
   return fmt::format("{} ... {}", significant(bounds.lower, 2), significant(bounds.upper, 2));
 }
 
@@ -58,7 +59,12 @@ Value rounded(double value, int digits) {
 }
 
 Value between(const analytic::Bounds& bounds) {
-  return {{{"lower", bounds.lower}, {"upper", bounds.upper}}, common_digits(bounds)};
+  return {{{"lower", bounds.lower}, {"upper", finite_json(bounds.upper)}}, common_digits(bounds)};
+}
+
+Value middle(const analytic::Bounds& bounds) {
+  const bool is_known = bounds.lower == bounds.upper || studies::common_digits(bounds) > 0;
+  return {is_known ? finite_json(bounds.midpoint()) : Json(), common_digits(bounds)};
 }
 
 Value estimated(const studies::Estimate& estimate, std::string text) {

@@ -38,8 +38,10 @@ struct Value {
 [[nodiscard]] Value exact(double value);
 [[nodiscard]] Value rounded(double value, int digits);
 
-/// {"lower": ..., "upper": ...}, and common_digits().
+/// {"lower": ..., "upper": ...}, null for an upper one that is infinite, and common_digits().
 [[nodiscard]] Value between(const analytic::Bounds& bounds);
+/// The number in the middle, null where the bounds share no digit, and common_digits().
+[[nodiscard]] Value middle(const analytic::Bounds& bounds);
 
 /// {"value": ..., "lower": ..., "upper": ...}, null for an end that too few samples leave open, and that text or "value (lower ... upper)".
 [[nodiscard]] Value estimated(const studies::Estimate& estimate, std::string text);

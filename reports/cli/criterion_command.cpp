@@ -26,13 +26,13 @@ std::vector<LabelledValue> rows_of(const data::Case& problem, const analytic::Cr
   std::vector<LabelledValue> rows{
       {"largest |f| / N", "force_max_N", between(criterion.force_max)},
       {"friction limit mu_s P / N", "friction_limit_N", exact(criterion.friction_limit)},
-      {"", "critical_amplitude_m", exact(criterion.critical_amplitude.midpoint())},
+      {"", "critical_amplitude_m", middle(criterion.critical_amplitude)},
       {"critical amplitude / m", "critical_amplitude_bounds_m", between(criterion.critical_amplitude)}};
   if (const auto [unit, scale, column] = shown_amplitude(problem); unit != "m") {
     const auto stated = 1.0 / problem.excitation.unit_amplitude() * criterion.critical_amplitude;
     rows.push_back({fmt::format("critical amplitude / {}", unit),
                     fmt::format("critical_{}", column),
-                    {stated.midpoint(), common_digits(scale * stated)}});
+                    {middle(stated).json, common_digits(scale * stated)}});
   }
   if (problem.excitation.amplitude() > 0.0)
     rows.push_back({"margin mu_s P / |f|", "", between(studies::margin_of(criterion))});
@@ -56,22 +56,26 @@ void add_criteria(Answer& answer, const data::Case& problem, const studies::Crit
                       {"margin", has_margin ? between(studies::margin_of(found.all_modes)).json : Json()}});
 }
 
+Value steady_force(const std::optional<studies::SteadyState>& steady) {
+  if (!steady) return {nullptr, "none at a natural frequency"};
+  const auto& [lower, upper] = steady->force;
+  return lower == upper ? rounded(lower, 7) : middle(steady->force);
+}
+
 void add_steady_state(Answer& answer, const std::optional<studies::SteadyState>& steady, double duration) {
-  if (!steady) {
-    answer.add_row("steady |f| / N", {"", "none at a natural frequency"});
-    return answer.add_members({{"steady", nullptr}});
-  }
-  const Value force = rounded(steady->force, 7), verdict = word(to_string(steady->verdict));
-  answer.add_row("steady |f| / N",
-                 {"", steady->reached ? force.text
-                                      : fmt::format("{}, not reached within {} s", force.text,
-                                                    data::shortest_text(duration))});
-  answer.add_row("verdict, steady", {"", verdict.text});
+  const Value force = steady_force(steady);
+  const std::string end = !steady || steady->reached
+                              ? ""
+                              : fmt::format(", not reached within {} s", data::shortest_text(duration));
+  answer.add_row("steady |f| / N", {"", force.text + end});
+  if (!steady) return answer.add_members({{"steady", nullptr}});
+  answer.add_row("verdict, steady", {"", std::string(to_string(steady->verdict))});
   answer.add_members({{"steady",
                        {{"force_N", force.json},
                         {"reached", steady->reached},
-                        {"critical_amplitude_m", steady->critical_amplitude},
-                        {"verdict", verdict.json}}}});
+                        {"force_bounds_N", between(steady->force).json},
+                        {"critical_amplitude_m", middle(steady->critical_amplitude).json},
+                        {"verdict", to_string(steady->verdict)}}}});
 }
 
 void add_outlook(Answer& answer, const studies::CriterionAnswer& found, double frequency_hz) {
@@ -94,13 +98,13 @@ void add_outlook(Answer& answer, const studies::CriterionAnswer& found, double f
 
 Answer answer_of(const data::Case& problem, const studies::CriterionAnswer& found) {
   Answer answer;
+  const data::Damping& damping = problem.damping;
   const bool is_damped = studies::is_damped(problem);
   add_excitation(answer, problem);
   answer.add_members({{"duration_s", problem.numerics.duration()}, {"modes", problem.numerics.modes()}});
   if (is_damped)
     answer.add_members(
-        {{"damping",
-          {{"kelvin_voigt_s", problem.damping.kelvin_voigt()}, {"ratio", problem.damping.ratio()}}}});
+        {{"damping", {{"kelvin_voigt_s", damping.kelvin_voigt()}, {"ratio", damping.ratio()}}}});
   answer.add_line(conditions_of(problem) + (is_damped ? ", with damping\n" : "\n"));
   add_criteria(answer, problem, found);
   add_steady_state(answer, found.steady, problem.numerics.duration());
@@ -112,12 +116,13 @@ Answer answer_of(const data::Case& problem, const studies::CriterionAnswer& foun
   return answer;
 }
 
-std::vector<std::string> warnings_about(const data::Case& problem, const studies::CriterionAnswer& found) {
+std::vector<std::string> warnings_about(const data::Case& problem, analytic::Verdict verdict,
+                                        const std::optional<studies::Bending>& bending) {
   auto warnings = warnings_of(problem, studies::Inquiry::criterion);
-  if (const auto bending = found.bending)
+  if (bending)
     if (const auto warning = studies::draw_back_warning(problem.beam, bending->draw_back))
       warnings.push_back(*warning);
-  if (found.all_modes.verdict != analytic::Verdict::stick)
+  if (verdict != analytic::Verdict::stick)
     if (const auto unstable = studies::instability_warning(problem)) warnings.push_back(unstable->sentence);
   return warnings;
 }
@@ -143,19 +148,19 @@ Answer table_of_cases(const CriterionOptions& options, Outputs& outputs) {
                                              {"friction limit / N", "friction_limit_N"},
                                              {"critical amplitude / m", "critical_amplitude_m"},
                                              {"margin", "margin"},
-                                             {"verdict", "verdict"}});
+                                             {"verdict", "verdict"},
+                                             {"", "force_lower_N"},
+                                             {"", "force_upper_N"},
+                                             {"steady |f| / N", "steady_force_N"}});
   if (cases.size() == 1) outputs.about(load_case(options.problem));
   outputs.open({{"--output", options.output}});
-  report::Progress& progress = outputs.progress("", cases.size() * points.size());
-  const auto middle = [](const analytic::Bounds& bounds) {
-    return Value{bounds.midpoint(), common_digits(bounds)};
-  };
+  const std::size_t rows = cases.size() * points.size();
+  report::Progress& progress = outputs.progress("", rows);
   Answer answer;
   for (const CaseOptions& one : cases)
     for (const auto& point : points) {
       const data::Case problem = case_of(one, point);
-      const studies::CriterionAnswer answered = studies::criterion_answer(problem);
-      const analytic::Criterion& found = answered.all_modes;
+      const auto found = studies::criterion_with_all_modes(problem, 1e-10);
       auto& row = table.rows.emplace_back(std::vector{word(problem.name)});
       for (const data::Override& key : point) row.push_back(word(key.value));
       row.insert(
@@ -163,10 +168,12 @@ Answer table_of_cases(const CriterionOptions& options, Outputs& outputs) {
           {exact(problem.excitation.frequency_hz()), exact(problem.excitation.amplitude()),
            middle(found.force_max), exact(found.friction_limit), middle(found.critical_amplitude),
            problem.excitation.amplitude() > 0.0 ? middle(studies::margin_of(found)) : Value{nullptr, "-"},
-           word(to_string(found.verdict))});
-      for (const std::string& warning : warnings_about(problem, answered))
+           word(to_string(found.verdict)), exact(found.force_max.lower), exact(found.force_max.upper),
+           steady_force(studies::steady_state(problem))});
+      for (const std::string& warning :
+           warnings_about(problem, found.verdict, studies::held_bending(problem)))
         add_warning(answer, problem.name + ": " + warning);
-      progress(static_cast<double>(table.rows.size()) / static_cast<double>(cases.size() * points.size()));
+      progress(static_cast<double>(table.rows.size()) / static_cast<double>(rows));
     }
   answer.add_table("cases", table);
   outputs.write_table("--output", [&] { return "# Criterion with all modes\n" + table.csv(); });
@@ -181,7 +188,7 @@ Answer criterion(const CriterionOptions& options, Outputs& outputs) {
   outputs.open({{"--figure", options.figure}});
   const auto found = studies::criterion_answer(problem, remake_of(options.problem));
   Answer answer = answer_of(problem, found);
-  answer.warnings = warnings_about(problem, found);
+  answer.warnings = warnings_about(problem, found.all_modes.verdict, found.bending);
   require_finite(answer.json);
   outputs.draw(problem.name, [&](const report::Look& look) {
     return report::draw(problem, studies::critical_amplitude_curve(problem), look);

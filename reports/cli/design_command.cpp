@@ -99,7 +99,7 @@ Answer answer_of(const data::Case& problem, const studies::Design& design) {
       fmt::format("{}, {} modes\n", conditions_of(problem, design.band), problem.numerics.modes()));
   const auto judged = [](const analytic::Bounds& bounds) {
     Value margin = between(bounds);
-    margin.text += bounds.lower < 1.0 ? ": slips" : ": sticks";  // on the safe side
+    margin.text += bounds.lower >= 1.0 ? ": sticks" : bounds.upper < 1.0 ? ": slips" : ": undecided";
     return margin;
   };
   answer.add_row({"smallest margin mu_s P/|f_max|", "margin", judged(margin_bounds)});

@@ -71,8 +71,7 @@ Answer answer_of(const studies::MapTask& task, const studies::CriterionMap& map,
                                     ? fmt::format(": {}, the first quantity", map.quantities.front()->name)
                                     : ""));
   answer.add_members(object);
-  answer.warnings =
-      sentences_of(studies::warnings_common_to(task.problem, {task.x.parameter, task.y.parameter}));
+  answer.warnings = sentences_of(studies::map_warnings(task));
   return answer;
 }
 

@@ -43,11 +43,13 @@ void add_samples(Answer& answer, const data::Case& problem, const UncertaintyOpt
   if (const auto& all = result.all_modes) {
     const Value probability = estimated(all->probability_of_slip, 5);
     answer.add_row("the same, all modes",
-                   {fmt::format("{}: {} of the first {}, of which {} with {} modes", probability.text,
-                                all->slips, all->valid, all->slips_truncated, problem.numerics.modes())});
+                   {fmt::format("{}: {} of the first {}, of which {} with {} modes{}", probability.text,
+                                all->slips, all->valid, all->slips_truncated, problem.numerics.modes(),
+                                all->undecided > 0 ? fmt::format("; {} undecided", all->undecided) : "")});
     answer.add_members({{"all_modes",
                          {{"valid_samples", all->valid},
                           {"slips", all->slips},
+                          {"undecided", all->undecided},
                           {"slips_with_modes", all->slips_truncated},
                           {"probability_of_slip", probability.json}}}});
   }

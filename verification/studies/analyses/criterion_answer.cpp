@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "studies/analyses/criterion_answer.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -25,8 +27,8 @@ namespace {
 
 using analytic::SteadyPart;
 
-// The free vibrations that are kept where no truncation is asked for. Damping couples them.
-int kept_modes(const data::Case& problem) { return is_damped(problem) ? 40 : 200; }
+// The free vibrations that are kept where no truncation is asked for, at first and at most. Damping couples them.
+constexpr int damped_modes = 40, most_damped_modes = 160, undamped_modes = 200, most_undamped_modes = 800;
 
 data::HarmonicExcitation unit_excitation(double frequency_hz) {
   return data::HarmonicExcitation({.frequency_hz = frequency_hz, .amplitude = 1.0});
@@ -40,47 +42,67 @@ double omitted_transient_bound(const data::Case& problem, const data::HarmonicEx
   return analytic::StickResponse(problem.beam, unit, modes, SteadyPart::exact).omitted_transient_bound();
 }
 
+// |f| per metre with so many modes, and with bounds of those that are left out.
+analytic::DampedForce damped_force(const data::Case& problem, int modes) {
+  const auto reaction = [&](int count) {
+    return analytic::damped_reaction(problem.beam, problem.damping, count, SteadyPart::exact);
+  };
+  return {reaction(modes), angular_frequency(problem.excitation), problem.numerics.duration(),
+          reaction(modes / 2)};
+}
+
+analytic::Bounds unit_force(const data::Case& problem, int modes, double relative_width) {
+  if (is_damped(problem)) return damped_force(problem, modes).refined_to(relative_width);
+  const double hz = problem.excitation.frequency_hz();
+  const double omitted = omitted_transient_bound(problem, unit_excitation(hz), modes);
+  const auto [lower, upper] =
+      analytic::largest_unit_force(problem.beam, problem.damping, hz, problem.numerics.duration(), modes,
+                                   SteadyPart::exact, relative_width);
+  return {std::max(0.0, lower - omitted), upper + omitted};
+}
+
+// From so many on, doubled until the highest is at 4 Ω; half of them are then above Ω.
+int enough_modes(const data::Case& problem, int first) {
+  const int most = is_damped(problem) ? most_damped_modes : most_undamped_modes;
+  const double omega = angular_frequency(problem.excitation);
+  for (int modes = first;; modes = std::min(2 * modes, most)) {
+    const double highest = analytic::modal_forces(problem.beam, modes).back().angular_frequency;
+    if (highest >= 4.0 * omega) return modes;
+    if (modes == most)
+      throw data::FieldError(
+          "excitation.frequency_hz", problem.excitation.frequency_hz(),
+          fmt::format("at most {:.6g} Hz, a quarter of natural frequency {} of the stick state",
+                      highest / (4.0 * two_pi), most));
+  }
+}
+
 // N per m: with a damping ratio by the modes kept, else exact.
-double steady_force_per_unit(const data::Case& problem) {
+analytic::Bounds steady_force_per_unit(const data::Case& problem) {
   const auto unit = unit_excitation(problem.excitation.frequency_hz());
   const double omega = angular_frequency(unit);
   if (problem.damping.ratio() > 0.0)
-    return analytic::DampedForce(analytic::damped_reaction(problem.beam, problem.damping, kept_modes(problem),
-                                                           SteadyPart::exact),
-                                 omega, problem.numerics.duration())
-        .steady_amplitude();
+    return damped_force(problem, enough_modes(problem, damped_modes)).steady_bounds();
+  const auto exactly = [](double force) { return analytic::Bounds{std::abs(force), std::abs(force)}; };
   if (problem.damping.kelvin_voigt() > 0.0)
-    return std::abs(
-        analytic::DampedSteadyState(problem.beam, unit, problem.damping, analytic::TipSupport::held)
-            .friction_force());
+    return exactly(
+        std::abs(analytic::DampedSteadyState(problem.beam, unit, problem.damping, analytic::TipSupport::held)
+                     .friction_force()));
   if (problem.beam.shear_stiffness() > 0.0)
-    return std::abs(analytic::timoshenko_steady_force(problem.beam, omega));
-  return std::abs(analytic::StickResponse(problem.beam, unit, kept_modes(problem), SteadyPart::exact)
-                      .steady_force_amplitude());
+    return exactly(analytic::timoshenko_steady_force(problem.beam, omega));
+  return exactly(
+      analytic::StickResponse(problem.beam, unit, enough_modes(problem, undamped_modes), SteadyPart::exact)
+          .steady_force_amplitude());
 }
 
-// criterion_with_all_modes() refuses a case whose kept_modes() have none.
 StickFrequency nearest_stick_frequency(const data::Case& problem) {
-  const auto shares = analytic::modal_forces(problem.beam, kept_modes(problem));
+  const auto shares = analytic::modal_forces(
+      problem.beam, enough_modes(problem, is_damped(problem) ? damped_modes : undamped_modes));
   const double omega = angular_frequency(problem.excitation);
   const auto nearest = std::ranges::min_element(
       shares, {}, [&](const auto& share) { return std::abs(share.angular_frequency - omega); });
   return {.mode = static_cast<int>(nearest - shares.begin()) + 1,
           .hz = nearest->angular_frequency / (2.0 * std::numbers::pi),
           .distance = (nearest->angular_frequency - omega) / omega};
-}
-
-std::optional<SteadyState> steady_state(const data::Case& problem, const StickFrequency& nearest) {
-  const auto natural = closed_form_frequencies(problem.beam, analytic::TipSupport::held, nearest.mode).back();
-  if (!is_damped(problem) && std::abs(nearest.distance) <= natural.relative_error) return std::nullopt;
-  const auto warnings = problem_warnings(problem, Inquiry::criterion);
-  const double per_unit = steady_force_per_unit(problem), limit = friction_limit(problem);
-  const double force = problem.excitation.amplitude() * per_unit;
-  return SteadyState{
-      .force = force,
-      .critical_amplitude = limit / per_unit,
-      .verdict = analytic::verdict_of({force, force}, limit),
-      .reached = std::ranges::find(warnings, Concern::resonance, &Warning::concern) == warnings.end()};
 }
 
 // At these times, the tip held by as much friction as it takes.
@@ -108,8 +130,8 @@ double steady_draw_back(const data::Case& problem) {
       times.push_back(150.0 / (ratio * first) + i / (64.0 * problem.excitation.frequency_hz()));
     return held_bending(problem, times).draw_back;
   }
-  const analytic::StickResponse response(problem.beam, problem.excitation, kept_modes(problem),
-                                         SteadyPart::exact);
+  const analytic::StickResponse response(problem.beam, problem.excitation,
+                                         enough_modes(problem, undamped_modes), SteadyPart::exact);
   HistoryRow crest;
   for (const double x : Bending::positions(problem.beam.length()))
     crest.displacement.push_back(response.steady_displacement_amplitude(x));
@@ -160,23 +182,45 @@ std::optional<Change> best_change(
   return best.key.empty() ? std::nullopt : std::optional(best);
 }
 
+bool too_few_modes(const analytic::Criterion& truncated, const analytic::Criterion& all_modes) {
+  constexpr double allowed = 0.05;
+  return all_modes.force_max.upper > (1.0 + allowed) * truncated.force_max.lower ||
+         truncated.force_max.upper > (1.0 + allowed) * all_modes.force_max.lower;
+}
+
 // Evaluated at an amplitude of 1 m and scaled, since the reaction is proportional to the amplitude.
 analytic::Criterion criterion_with_all_modes(const data::Case& problem, double relative_width,
-                                             int most_modes) {
-  const auto unit = unit_excitation(problem.excitation.frequency_hz());
-  const int modes = std::min(most_modes, kept_modes(problem));
-  const double omitted = omitted_transient_bound(problem, unit, modes);
-  const auto criterion =
-      analytic::evaluate_criterion(problem.beam, problem.friction, unit, problem.numerics.duration(), modes,
-                                   SteadyPart::exact, relative_width, problem.damping);
-  const analytic::Bounds per_unit{std::max(0.0, criterion.force_max.lower - omitted),
-                                  criterion.force_max.upper + omitted};
-  const double limit = criterion.friction_limit;
+                                             bool verdict_alone) {
+  analytic::require_contact(problem.beam);
+  const bool damped = is_damped(problem);
+  const int most = damped ? most_damped_modes : most_undamped_modes;
+  const int first = damped          ? damped_modes
+                    : verdict_alone ? std::clamp(4 * problem.numerics.modes(), damped_modes, undamped_modes)
+                                    : undamped_modes;
+  const double limit = friction_limit(problem);
+  for (int modes = enough_modes(problem, first);; modes = std::min(2 * modes, most)) {
+    const analytic::Bounds per_unit = unit_force(problem, modes, relative_width);
+    const analytic::Bounds force = problem.excitation.amplitude() * per_unit;
+    const auto verdict = analytic::verdict_of(force, limit);
+    if (modes == most || (verdict != analytic::Verdict::undecided && (verdict_alone || per_unit.lower > 0.0)))
+      return {.force_max = force,
+              .friction_limit = limit,
+              .critical_amplitude = limit / per_unit,
+              .verdict = verdict};
+  }
+}
+
+std::optional<SteadyState> steady_state(const data::Case& problem) {
+  const StickFrequency nearest = nearest_stick_frequency(problem);
+  const auto natural = closed_form_frequencies(problem.beam, analytic::TipSupport::held, nearest.mode).back();
+  if (!is_damped(problem) && std::abs(nearest.distance) <= natural.relative_error) return std::nullopt;
+  const analytic::Bounds per_unit = steady_force_per_unit(problem);
+  const double limit = friction_limit(problem);
   const analytic::Bounds force = problem.excitation.amplitude() * per_unit;
-  return {.force_max = force,
-          .friction_limit = limit,
-          .critical_amplitude = limit / per_unit,
-          .verdict = analytic::verdict_of(force, limit)};
+  return SteadyState{.force = force,
+                     .critical_amplitude = limit / per_unit,
+                     .verdict = analytic::verdict_of(force, limit),
+                     .reached = is_damped(problem) || !resonance_warning(problem)};
 }
 
 std::optional<Bending> held_bending(const data::Case& problem) {
@@ -197,9 +241,9 @@ CriterionAnswer criterion_answer(const data::Case& problem, const Remake& remake
                          .bending = held_bending(problem),
                          .steady_draw_back = {},
                          .best_change = {}};
-  answer.steady = steady_state(problem, answer.nearest);
+  answer.steady = steady_state(problem);
   if (answer.bending && answer.steady) answer.steady_draw_back = steady_draw_back(problem);
-  if (problem.excitation.amplitude() > 0.0)
+  if (problem.excitation.amplitude() > 0.0 && !too_few_modes(answer.truncated, answer.all_modes))
     answer
         .best_change = best_change(problem, [&](std::string_view key, double value) -> std::optional<double> {
       try {

@@ -17,8 +17,8 @@ namespace stickslip::studies {
 
 /// The amplitude of f in the steady vibration of the held beam, the excitation amplitude at which it is μₛ P, and the verdict on it.
 struct SteadyState {
-  double force{};               ///< N
-  double critical_amplitude{};  ///< m
+  analytic::Bounds force;               ///< N; wide only with a damping ratio, whose modes are coupled
+  analytic::Bounds critical_amplitude;  ///< m
   analytic::Verdict verdict{};
   bool reached{};  ///< false if the undamped force grows over all of the duration (Concern::resonance)
 };
@@ -51,15 +51,24 @@ using Remake = std::function<data::Case(std::string_view key, double value)>;
 /// instants, which are dense at the start and not commensurate with any period; about 1 % low at most. Nothing for a beam with shear.
 [[nodiscard]] std::optional<Bending> held_bending(const data::Case& problem);
 
-/// The criterion of a case with a rigid contact by all routes. The criterion without truncation has the exact steady part, many
-/// free vibrations, and bounds of those that are left out; each key of best_change() is then changed by a tenth, by data::with_value()
-/// unless there is a `remake`, and the change with the largest margin is kept. Throws what evaluate_criterion() throws.
+/// The criterion of a case with a rigid contact by all routes; each key of best_change() is then changed by a tenth, by data::with_value()
+/// unless there is a `remake`, and the change with the largest margin is kept, of numerics.modes, unless too_few_modes(). Throws what evaluate_criterion() throws.
 [[nodiscard]] CriterionAnswer criterion_answer(const data::Case& problem, const Remake& remake = {});
 
-/// CriterionAnswer::all_modes with bounds of that width and at most so many free vibrations, 200 or 40 with damping without a
-/// limit. The bounds hold what is left out, 1e-5 of the paper's force with 40. Throws as criterion_answer() does.
+/// CriterionAnswer::all_modes: the exact steady part and many free vibrations, with bounds that hold those that are left out
+/// (omitted_transient_bound(), DampedForce), 1e-5 of the paper's force with 40. It begins with 200, or 40 with damping, and
+/// has twice as many where the highest is below 4 Ω and as long as the bounds hold μ_s P or 0, up to 800, or 160 with
+/// damping. Where the verdict alone counts it begins with 40 or 4 numerics.modes, and the bounds may hold 0. More modes would be
+/// beyond the closed form, or lose the slow vibrations in the rounding of the fast ones. Throws as
+/// criterion_answer() does, and data::FieldError, naming excitation.frequency_hz, where these are too few.
 [[nodiscard]] analytic::Criterion criterion_with_all_modes(const data::Case& problem, double relative_width,
-                                                           int most_modes = 200);
+                                                           bool verdict_alone = false);
+
+/// CriterionAnswer::steady.
+[[nodiscard]] std::optional<SteadyState> steady_state(const data::Case& problem);
+
+/// Whether |f_max| with numerics.modes may differ from that of all modes by 5 % or more.
+[[nodiscard]] bool too_few_modes(const analytic::Criterion& truncated, const analytic::Criterion& all_modes);
 
 /// The change with the largest margin of those of one key by a tenth that can be built: length, sides of the section, axial force or
 /// static coefficient. `margin_with` gives the margin with a key at a value, nothing where there is no stick state.

@@ -328,6 +328,18 @@ CriterionMap criterion_map(const MapTask& task) {
   return criterion_map(task, evaluations);
 }
 
+std::vector<Warning> map_warnings(const MapTask& task) {
+  auto warnings = warnings_common_to(task.problem, {task.x.parameter, task.y.parameter});
+  if (task.method != MapMethod::closed_form || !task.quantities.empty()) return warnings;
+  const std::size_t last_x = task.x.values.size() - 1, last_y = task.y.values.size() - 1;
+  for (const auto& [i, j] : {std::pair(last_x, last_y), {last_x, 0}, {0, last_y}, {0, 0}})
+    if (const auto few = few_modes_warning(case_at(task, i, j))) {
+      warnings.push_back(*few);
+      break;
+    }
+  return warnings;
+}
+
 MapEstimate map_estimate(const MapTask& task, std::span<const std::size_t> numbers) {
   constexpr double enough = 0.5, least = 1e-6;  // s
   const Seconds preparation = seconds_for(task, {}, 1);

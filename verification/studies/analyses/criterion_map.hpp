@@ -11,6 +11,7 @@
 #include "stickslip/analytic/criterion.hpp"
 #include "stickslip/data/problem.hpp"
 #include "studies/analyses/contact_response.hpp"
+#include "studies/analyses/problem_warnings.hpp"
 #include "studies/common/members.hpp"
 
 namespace stickslip::studies {
@@ -107,6 +108,10 @@ void evaluate(const MapTask& task, std::span<const std::size_t> numbers, MapEval
 /// for a value that its field refuses, and data::InputError, naming beam.axial_force, if P ≤ 0 somewhere,
 /// or if the beam is buckled and neither axis is a number of it.
 [[nodiscard]] CriterionMap criterion_map(const MapTask& task);
+
+/// warnings_common_to() all cells, and of a closed form few_modes_warning() of the first corner that has it, the one with the
+/// highest values before the others.
+[[nodiscard]] std::vector<Warning> map_warnings(const MapTask& task);
 
 /// What evaluations of a map cost, from a sample that was timed.
 struct MapEstimate {

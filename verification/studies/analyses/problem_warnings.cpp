@@ -12,6 +12,7 @@
 #include "stickslip/analytic/slip_modes.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
+#include "studies/analyses/criterion_answer.hpp"
 #include "studies/analyses/natural_frequencies.hpp"
 #include "studies/analyses/squeal.hpp"
 #include "studies/common/discretisation.hpp"
@@ -88,27 +89,34 @@ double allowed_step(double spectral_radius, double omega) {
   return two_digits(lower / omega);
 }
 
-void warn_of_resonance(const data::Case& problem, std::vector<Warning>& warnings) {
+}  // namespace
+
+std::optional<Warning> resonance_warning(const data::Case& problem) {
   const double omega = angular_frequency(problem.excitation), duration = problem.numerics.duration();
   if (is_damped(problem) || problem.excitation.amplitude() == 0.0 || 0.5 * omega * duration < grown_response)
-    return;
-  const auto modes = analytic::modal_forces(problem.beam, problem.numerics.modes());
+    return std::nullopt;
+  int count = problem.numerics.modes();  // also those that are left out
+  auto modes = analytic::modal_forces(problem.beam, count);
+  while (modes.back().angular_frequency < 2.0 * omega && count < 500)
+    modes = analytic::modal_forces(problem.beam, count *= 2);
   const auto nearest = std::ranges::min_element(
       modes, {}, [&](const auto& mode) { return std::abs(mode.angular_frequency - omega); });
   const double difference = std::abs(nearest->angular_frequency - omega);
   const double nearest_hz = nearest->angular_frequency / (2.0 * pi);
-  if (difference * duration > pi) return;
+  if (difference * duration > pi) return std::nullopt;
   const std::string end =
       difference * duration < 1e-6 ? "without end" : fmt::format("until {:.3g} s", pi / difference);
-  warnings.push_back(
-      {Concern::resonance, problem.excitation.frequency_hz(), nearest_hz,
-       fmt::format(
-           "excitation.frequency_hz is {}, next to natural frequency {} of the stick state, {:.7g} Hz: the "
-           "reaction of the undamped beam grows with t, {}, so that its maximum depends on "
-           "excitation.duration, {} s",
-           data::shortest_text(problem.excitation.frequency_hz()), nearest - modes.begin() + 1, nearest_hz,
-           end, data::shortest_text(duration))});
+  return Warning{
+      Concern::resonance, problem.excitation.frequency_hz(), nearest_hz,
+      fmt::format(
+          "excitation.frequency_hz is {}, next to natural frequency {} of the stick state, {:.7g} Hz: the "
+          "reaction of the undamped beam grows with t, {}, so that its maximum depends on "
+          "excitation.duration, {} s",
+          data::shortest_text(problem.excitation.frequency_hz()), nearest - modes.begin() + 1, nearest_hz,
+          end, data::shortest_text(duration))};
 }
+
+namespace {
 
 void warn_of_distance(const data::Case& problem, std::vector<Warning>& warnings) {
   const double omega = angular_frequency(problem.excitation);
@@ -248,10 +256,14 @@ std::vector<Warning> warnings_without_effect(const data::Case& problem, Inquiry 
   std::vector<Warning> warnings;
   if (may_slip(inquiry))
     if (const auto unstable = instability_warning(problem)) warnings.push_back(*unstable);
-  if (inquiry == Inquiry::criterion || inquiry == Inquiry::closed_form_history)
-    warn_of_resonance(problem, warnings);
-  if (inquiry == Inquiry::criterion && (warnings.empty() || warnings.back().concern != Concern::resonance))
-    warn_of_distance(problem, warnings);
+  if (inquiry == Inquiry::criterion || inquiry == Inquiry::closed_form_history) {
+    if (auto resonance = resonance_warning(problem))
+      warnings.push_back(std::move(*resonance));
+    else if (inquiry == Inquiry::criterion)
+      warn_of_distance(problem, warnings);
+  }
+  if (inquiry == Inquiry::criterion || inquiry == Inquiry::closed_form_history || inquiry == Inquiry::design)
+    if (auto few = few_modes_warning(problem)) warnings.push_back(std::move(*few));
   const int mode = is_about_frequencies(inquiry) ? frequencies : highest_mode_that_matters(problem);
   warn_of_thickness(problem.beam, inquiry == Inquiry::slip_frequencies, mode, warnings);
   if (inquiry == Inquiry::stepped_history) {
@@ -280,15 +292,30 @@ std::optional<Warning> instability_warning(const data::Case& problem) {
           is_sheared ? "with its " : "without ", 1.0 / found->root.real())};
 }
 
+std::optional<Warning> few_modes_warning(const data::Case& problem) {
+  const double load = problem.beam.axial_force();
+  if (!(load > 0.0 && load < analytic::stick_buckling_load(problem.beam))) return std::nullopt;
+  const auto truncated = criterion_of(problem, 1e-4), all = criterion_with_all_modes(problem, 1e-4);
+  if (!too_few_modes(truncated, all)) return std::nullopt;
+  const double mine = truncated.force_max.midpoint(), whole = all.force_max.midpoint();
+  return Warning{
+      Concern::few_modes, mine, whole,
+      fmt::format("numerics.modes is {}, too few at {} Hz: the largest |f| is {:.3g} N with them, and with "
+                  "all modes {:.3g} N, where the verdict is {}",
+                  problem.numerics.modes(), data::shortest_text(problem.excitation.frequency_hz()), mine,
+                  whole, to_string(all.verdict))};
+}
+
 std::string shear_effect(const data::Case& problem) {
   const data::Case sheared = data::with(problem, with_shear(problem.beam));
   const std::string choice =
       fmt::format("with beam.shear_stiffness = {:.3g} (k = 5/6, nu = 0.3)", sheared.beam.shear_stiffness());
   if (problem.beam.axial_force() >= analytic::stick_buckling_load(sheared.beam))
     return choice + " the beam buckles";
-  const auto without = criterion_of(problem, 1e-4), with = criterion_of(sheared, 1e-4);
-  return fmt::format("{} |f_max| is {:.4g} N instead of {:.4g} N, and the verdict is {}{}", choice,
-                     with.force_max.midpoint(), without.force_max.midpoint(), to_string(with.verdict),
+  const auto without = criterion_with_all_modes(problem, 1e-4),
+             with = criterion_with_all_modes(sheared, 1e-4);
+  return fmt::format("{} |f_max| with all modes is {:.4g} N instead of {:.4g} N, and the verdict is {}{}",
+                     choice, with.force_max.midpoint(), without.force_max.midpoint(), to_string(with.verdict),
                      with.verdict == without.verdict
                          ? " as well"
                          : fmt::format(" instead of {}", to_string(without.verdict)));
@@ -443,6 +470,7 @@ std::vector<Warning> warnings_common_to(const data::Case& problem,
   };
   auto warnings = warnings_without_effect(problem, Inquiry::criterion, 0);
   std::erase_if(warnings, [&](const Warning& warning) {
+    if (warning.concern == Concern::few_modes) return true;
     return warning.concern == Concern::resonance || warning.concern == Concern::near_resonance
                ? std::ranges::any_of(varied, moves_a_frequency)
                : std::ranges::any_of(varied, changes_the_proportions);

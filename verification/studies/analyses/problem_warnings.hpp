@@ -19,6 +19,7 @@ enum class Concern {
   buckling,
   resonance,
   near_resonance,
+  few_modes,
   thick_beam,
   coarse_mesh,
   long_step,
@@ -27,8 +28,9 @@ enum class Concern {
 
 struct Warning {
   Concern concern{};
-  double value{};  ///< what was found: P (N), Ω/2π (Hz), a relative frequency error, h (s), σ* (1/s)
-  /// Flutter or buckling load, ω_n/2π, allowed error, suggested step, allowed σ*.
+  double
+      value{};  ///< what was found: P (N), Ω/2π (Hz), |f_max| (N), a relative frequency error, h (s), σ* (1/s)
+  /// Flutter or buckling load, ω_n/2π, |f_max| with all modes, allowed error, suggested step, allowed σ*.
   double limit{};
   std::string sentence;
 };
@@ -85,6 +87,7 @@ constexpr double share_that_matters = 0.01;
 ///   Ω that |f| grows over the whole duration T, |Ω - ω_n| T ≤ π (half a beat), and reaches at
 ///   least ten times the quasi-static response, Ω T/2 ≥ 10.
 /// - near resonance, for the criterion, where resonance is not warned of: least_resonance_distance is not kept.
+/// - few modes, for |f| in closed form: too_few_modes().
 /// - thick beam: stick_model_error() of the highest relevant mode, or of the highest one asked for, is above
 ///   allowed_model_error, and the beam has no shear stiffness. For the undamped criterion with shear_effect().
 /// - coarse mesh, for finite elements: mesh_effect() is above allowed_model_error.
@@ -99,8 +102,14 @@ constexpr double share_that_matters = 0.01;
 /// criterion and a design need it where the tip slips.
 [[nodiscard]] std::optional<Warning> instability_warning(const data::Case& problem);
 
-/// What shear and rotary inertia change in |f_max| and in the verdict, by the undamped criterion with with_shear(), as
-/// the end of a sentence. Throws what evaluate_criterion() throws.
+/// The warning of a resonance, if there is one.
+[[nodiscard]] std::optional<Warning> resonance_warning(const data::Case& problem);
+
+/// The warning that too_few_modes() of the case, if there are.
+[[nodiscard]] std::optional<Warning> few_modes_warning(const data::Case& problem);
+
+/// What shear and rotary inertia change in |f_max| and in the verdict, by the undamped criterion of all modes with
+/// with_shear(), as the end of a sentence. Throws what criterion_with_all_modes() throws.
 [[nodiscard]] std::string shear_effect(const data::Case& problem);
 
 /// The warning for a history, by time steps or event-driven, in which the contact changed: σ* T > 36, with
@@ -156,7 +165,7 @@ constexpr double share_that_matters = 0.01;
 constexpr double allowed_draw_back = 1e-4;  // m
 [[nodiscard]] std::optional<std::string> draw_back_warning(const data::Beam& beam, double draw_back);
 
-/// The warnings for the criterion that hold for all values of the varied parameters: no resonance warning if
+/// The warnings for the criterion that hold for all values of the varied parameters: none of few modes, no resonance warning if
 /// one of them changes a frequency, no thick-beam warning if the length or the section is varied, and no warning if P is not
 /// below the buckling load.
 [[nodiscard]] std::vector<Warning> warnings_common_to(const data::Case& problem,

@@ -220,21 +220,23 @@ void add_quantiles(SlipUncertainty& result, const std::vector<std::optional<Samp
     result.quantiles.push_back({p, quantile_of(amplitudes, p), quantile_of(result.margins, p)});
 }
 
-// A fifth of the cost with all of them; modes enough for the bound of those that are left out.
 analytic::Criterion criterion_of_all_modes(const data::Case& problem) {
-  return criterion_with_all_modes(problem, force_width, std::max(40, 4 * problem.numerics.modes()));
+  return criterion_with_all_modes(problem, force_width, true);
 }
 
 SlipUncertainty::AllModes all_modes_of(const std::vector<std::optional<SampleResult>>& truncated,
-                                       const std::vector<std::optional<bool>>& slips) {
+                                       const std::vector<std::optional<Verdict>>& verdicts) {
   SlipUncertainty::AllModes all;
-  for (std::size_t i = 0; i < slips.size(); ++i) {
-    if (!slips[i] || !truncated[i]) continue;
+  for (std::size_t i = 0; i < verdicts.size(); ++i) {
+    if (!verdicts[i] || !truncated[i]) continue;
     ++all.valid;
-    if (*slips[i]) ++all.slips;
+    if (*verdicts[i] == Verdict::stick_slip) ++all.slips;
+    if (*verdicts[i] == Verdict::undecided) ++all.undecided;
     if (truncated[i]->slips) ++all.slips_truncated;
   }
-  if (all.valid > 0) all.probability_of_slip = probability_of(all.slips, all.valid);
+  if (all.valid == 0) return all;
+  all.probability_of_slip = probability_of(all.slips, all.valid);
+  all.probability_of_slip.upper = probability_of(all.slips + all.undecided, all.valid).upper;
   return all;
 }
 
@@ -385,14 +387,15 @@ SlipUncertainty slip_uncertainty(const data::Case& given, const data::Uncertaint
   if (has_all_modes) {
     std::optional<analytic::Bounds> force;
     if (verdicts.have_one_force()) force = criterion_of_all_modes(problem).force_max;
-    const auto slips = [&](std::span<const double> values) {
+    const auto judge = [&](std::span<const double> values) {
       const data::Case sample = case_at(problem, uncertainty.keys, values);
-      if (!force) return criterion_of_all_modes(sample).verdict == Verdict::stick_slip;
       const double ratio = sample.excitation.amplitude() / problem.excitation.amplitude();
-      return analytic::verdict_of(ratio * *force, friction_limit(sample)) == Verdict::stick_slip;
+      const Verdict known =
+          force ? analytic::verdict_of(ratio * *force, friction_limit(sample)) : Verdict::undecided;
+      return known == Verdict::undecided ? criterion_of_all_modes(sample).verdict : known;
     };
     result.all_modes =
-        all_modes_of(samples, results_of(all_modes, joint, sampling, part(all_modes_work), slips));
+        all_modes_of(samples, results_of(all_modes, joint, sampling, part(all_modes_work), judge));
   }
   result.tornado = tornado_of(problem, uncertainty, sampling.band);
   if (has_indices)

@@ -54,8 +54,8 @@ struct SlipUncertainty {
   std::vector<double> margins;      ///< of the samples of the quantiles, ascending
   /// The first samples with all modes (criterion_with_all_modes), and how many of them slip with numerics.modes.
   struct AllModes {
-    std::size_t valid{}, slips{}, slips_truncated{};
-    Estimate probability_of_slip;
+    std::size_t valid{}, slips{}, undecided{}, slips_truncated{};
+    Estimate probability_of_slip;  ///< up to the upper end with all undecided samples
   };
   std::optional<AllModes> all_modes;  ///< nothing over a band, or if it is to be short
   std::vector<Tornado> tornado;       ///< in the order of the keys

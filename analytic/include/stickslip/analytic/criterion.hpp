@@ -12,13 +12,13 @@
 
 namespace stickslip::analytic {
 
-enum class Verdict { stick, stick_slip };
+enum class Verdict { stick, stick_slip, undecided };
 
-/// "stick" or "stick-slip".
+/// "stick", "stick-slip" or "undecided".
 [[nodiscard]] std::string_view to_string(Verdict verdict) noexcept;
 
-/// Stick-slip if the force exceeds the limit for certain, force.lower > limit, else stick: bounds that hold the limit, and a force
-/// that just reaches it, do not make the tip slip. Both in N.
+/// Stick-slip if the force exceeds the limit for certain, force.lower > limit, and stick if it does not for certain, force.upper ≤
+/// limit: a force that just reaches it does not make the tip slip. Bounds that hold the limit leave it undecided. Both in N.
 [[nodiscard]] Verdict verdict_of(const Bounds& force, double limit) noexcept;
 
 struct Criterion {
