@@ -197,7 +197,7 @@ class NumbersReader {
     }
     if (!mistakes_.any())
       numbers_.numerics = default_numerics(Beam(numbers_.beam), HarmonicExcitation(numbers_.excitation),
-                                           numbers_.numerics.duration);
+                                           numbers_.numerics.duration, Damping(numbers_.damping));
     fill(true);
     mistakes_.throw_if_any();
     collect([&] { (void)case_of(file_.stem().string(), numbers_); });
@@ -396,7 +396,8 @@ fs::path installed_folder(const char* variable, std::string_view folder, std::st
   return fs::is_directory(installed, error) ? installed : fs::path(source);
 }
 
-NumericalChoices default_numerics(const Beam& beam, const HarmonicExcitation& excitation, double duration) {
+NumericalChoices default_numerics(const Beam& beam, const HarmonicExcitation& excitation, double duration,
+                                  const Damping& damping) {
   constexpr double pi = std::numbers::pi;
   const double bending_stiffness = beam.youngs_modulus() * beam.second_moment_of_area();
   const double mass = beam.density() * beam.area();
@@ -409,7 +410,7 @@ NumericalChoices default_numerics(const Beam& beam, const HarmonicExcitation& ex
   const double step = 1.0 / (50.0 * (wave_number * wave_number * unit));
   return {.elements = 4 * k,
           .time_step = rounded_down(duration > 0.0 ? std::min(duration, step) : step),
-          .spectral_radius = 0.9,
+          .spectral_radius = damping.kelvin_voigt() > 0.0 ? 0.0 : 0.9,
           .velocity_threshold = 0.0,
           .modes = k,
           .duration = duration};

@@ -85,6 +85,11 @@ Answer respond(const RespondOptions& options, Outputs& outputs) {
   Answer answer = answer_of(problem, options, history, output);
   answer.warnings = studies::warnings_after(problem, method.inquiry, history);
   add_warning(answer, studies::row_warning(problem, method, step, output.row_step()));
+  if (options.scheme && *options.scheme != "located")
+    add_warning(answer,
+                fmt::format("--scheme {} is a comparison: changes of contact come up to a step late, and "
+                            "forces and changes may be far off; located is the scheme for results",
+                            *options.scheme));
   add_warning(answer, studies::deflection_warning(problem.beam, output.largest_deflection()));
   add_warning(answer, studies::draw_back_warning(problem.beam, output.bending().draw_back));
   if (choices.initial_velocity == solver::InitialVelocity::zero)

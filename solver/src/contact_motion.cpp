@@ -174,12 +174,22 @@ void ContactMotion::begin_slip(double direction) {
 
 void ContactMotion::leave_stick() {
   record(data::ContactChange::onset);
-  begin_slip(-sign(holding_force()));
+  const double direction = -sign(holding_force());
+  // Where the force does not jump, neither does the acceleration: the contact still has that of the wall. What the stiff
+  // modes of a damped mesh add to it may point backwards.
+  const bool is_smooth =
+      system_.friction.in_slip().static_coefficient() == system_.friction.static_coefficient();
+  if (system_.damping.nonZeros() == 0 || !is_smooth || phase_.state != data::ContactState::stick) {
+    begin_slip(direction);
+  } else {
+    kernel_->restart(phase_, time_, now_);
+    phase_ = {.state = data::ContactState::slip, .direction = direction};
+  }
   notify();
 }
 
 void ContactMotion::settle_at_rest() {
-  const double force = holding_force();
+  const double force = held_contact_.holding_force_at_rest(now_, time_);
   if (contact_.excess(force) <= 0.0) {
     record(data::ContactChange::capture);
     begin_stick();

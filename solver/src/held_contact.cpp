@@ -24,6 +24,7 @@ HeldContact::HeldContact(const ContactSystem& system) : system_(system) {
   mass_ = system.mass.coeff(c, c) - lambda.dot(Eigen::VectorXd(system.mass.col(c)));
   impulse_response_ = -lambda;
   impulse_response_[c] = 1.0;
+  damping_ = velocity_factors_.dot(impulse_response_);
 }
 
 double HeldContact::sliding_velocity(const Kinematics& state, double t) const {

@@ -24,6 +24,11 @@ class HeldContact {
   /// v <- v - M⁻¹ e_c m_c v_s: the contact takes the velocity of the wall by an impulse at it alone.
   void remove_sliding_velocity(Kinematics& state, double t) const;
 
+  /// The holding force after remove_sliding_velocity(), N: the impulse changes the damping force by -c_c v_s, c_c = r_v · m_c M⁻¹ e_c.
+  [[nodiscard]] double holding_force_at_rest(const Kinematics& state, double t) const {
+    return holding_force(state, t) - damping_ * sliding_velocity(state, t);
+  }
+
   /// m_c = 1/(e_c . M⁻¹ e_c), kg.
   [[nodiscard]] double mass() const noexcept { return mass_; }
 
@@ -31,7 +36,7 @@ class HeldContact {
   const ContactSystem& system_;
   Eigen::VectorXd impulse_response_;                         // m_c M⁻¹ e_c
   Eigen::VectorXd displacement_factors_, velocity_factors_;  // r_q, r_v
-  double load_factor_{}, mass_{};                            // r_s, m_c
+  double load_factor_{}, mass_{}, damping_{};                // r_s, m_c, c_c
 };
 
 }  // namespace stickslip::solver

@@ -371,6 +371,73 @@ std::optional<Warning> growth_warning(const data::Case& problem, Inquiry inquiry
   return Warning{Concern::growth, run_bound, allowed, sentence};
 }
 
+namespace {
+
+void warn_of_law(const data::Case& problem, const History& history, std::vector<std::string>& sentences) {
+  if (!history.off_law) return;
+  const HistoryRow& row = *history.off_law;
+  sentences.push_back(
+      fmt::format("at t = {} s the contact is in {} with |f| = {:.4g} N and v_s = {:.3g} m/s, off its law of "
+                  "friction (mu_s P = {:.4g} N), "
+                  "and at {} times in all: a shorter numerics.time_step may help",
+                  data::shortest_text(row.time), data::to_string(row.state), std::abs(row.friction_force),
+                  row.sliding_velocity, friction_limit(problem), history.rows_off_law));
+}
+
+// The root of a mode in slip and stick changes its sign where η ω² h = 2, to 1 % for radii from 0.9 to 1.
+void warn_of_alternation(const data::Case& problem, std::vector<std::string>& sentences) {
+  const data::NumericalSettings& numerics = problem.numerics;
+  const double eta = problem.damping.kelvin_voigt(), radius = numerics.spectral_radius();
+  const double omega = 1.0 / time_step_of({.angle = 1.0}, problem.beam, numerics.elements());
+  const double allowed = 2.0 / (eta * omega * omega);
+  if (radius == 0.0 || eta == 0.0 || numerics.time_step() <= allowed) return;
+  sentences.push_back(
+      fmt::format("numerics.spectral_radius is {}: with damping.kelvin_voigt the velocity of the stiffest "
+                  "modes of the mesh is "
+                  "multiplied by -{} in each step longer than {:.2g} s, and the holding force with it, so "
+                  "that the run may "
+                  "invent changes of contact; the radius 0 ends it",
+                  data::shortest_text(radius), data::shortest_text(radius), allowed));
+}
+
+void warn_of_close_changes(const data::Case& problem, const History& history,
+                           std::vector<std::string>& sentences) {
+  long close = 0;
+  double first = 0.0;
+  for (std::size_t i = 1; i < history.events.size(); ++i)
+    if (history.events[i].time - history.events[i - 1].time < problem.numerics.time_step() && close++ == 0)
+      first = history.events[i - 1].time;
+  if (close == 0) return;
+  sentences.push_back(
+      fmt::format("{} of the {} changes of contact come less than numerics.time_step after the one before, "
+                  "first after t = {} s: "
+                  "a step of {} s cannot tell whether the beam has them",
+                  close, history.events.size(), data::shortest_text(first),
+                  data::shortest_text(problem.numerics.time_step())));
+}
+
+void warn_of_few_modes(const data::Case& problem, const History& history,
+                       std::vector<std::string>& sentences) {
+  constexpr int most_modes = 40;  // more take long
+  const int modes = problem.numerics.modes(), more = (3 * modes + 1) / 2;
+  if (modes > most_modes) return;
+  const auto other = event_driven_history(with_value(problem, "numerics.modes", more),
+                                          {.times = {problem.numerics.duration()}})
+                         .events;
+  const auto [here, there] = std::ranges::mismatch(history.events, other, {}, &data::ContactEvent::change,
+                                                   &data::ContactEvent::change);
+  const bool ends = here == history.events.end();
+  if (ends && there == other.end()) return;
+  sentences.push_back(fmt::format(
+      "{} modes: with {} modes the changes of contact are others from t = {:.6g} s on; more numerics.modes "
+      "tell "
+      "which ones the beam has",
+      modes, more,
+      std::min(ends ? there->time : here->time, there == other.end() ? here->time : there->time)));
+}
+
+}  // namespace
+
 std::vector<std::string> warnings_after(const data::Case& problem, Inquiry inquiry, const History& history) {
   std::vector<std::string> sentences;
   for (const Warning& warning : problem_warnings(problem, inquiry)) sentences.push_back(warning.sentence);
@@ -386,8 +453,16 @@ std::vector<std::string> warnings_after(const data::Case& problem, Inquiry inqui
         "the weights of the boundary integral do not hold a motion that grows: after the first slip --method "
         "fe and "
         "--method event-driven are right");
-  if (!history.events.empty())
-    if (const auto growth = growth_warning(problem, inquiry)) sentences.push_back(growth->sentence);
+  warn_of_law(problem, history, sentences);
+  if (history.events.empty()) return sentences;
+  const bool stepped = inquiry == Inquiry::stepped_history;
+  if (stepped && problem.contact.is_rigid()) warn_of_alternation(problem, sentences);
+  if (const auto growth = growth_warning(problem, inquiry)) {
+    sentences.push_back(growth->sentence);
+  } else {
+    if (stepped && problem.contact.is_rigid()) warn_of_close_changes(problem, history, sentences);
+    if (inquiry == Inquiry::event_driven_history) warn_of_few_modes(problem, history, sentences);
+  }
   return sentences;
 }
 

@@ -129,7 +129,9 @@ constexpr double share_that_matters = 0.01;
 [[nodiscard]] std::optional<Warning> growth_warning(const data::Case& problem, Inquiry inquiry);
 
 /// The warnings of problem_warnings() for a history that was computed by a method with that inquiry, then
-/// growth_warning() if the contact changed, and that the closed form does not hold beyond its first slip.
+/// what the changes of contact leave open (an alternating force with Kelvin-Voigt damping and a spectral radius above 0,
+/// growth_warning() or else changes less than a step apart and, event-driven, changes that half as many modes more do not
+/// find), that rows do not obey the law of friction, and that the closed form does not hold beyond its first slip.
 [[nodiscard]] std::vector<std::string> warnings_after(const data::Case& problem, Inquiry inquiry,
                                                       const History& history);
 

@@ -31,6 +31,13 @@ History history_of(const data::Case& problem, const Sampling& sampling,
   for (const double x : positions) motions.push_back(run.displacement(x, steps_per_row));
   const double omega = angular_frequency(problem.excitation);
   History history;
+  // A step obeys the law, and a row is the mean of two.
+  for (const analytic::ContactStep& step : run.steps())
+    hold_to_law(problem, history,
+                {.time = static_cast<double>(&step - run.steps().data()) * run.grid().time_step,
+                 .sliding_velocity = step.sliding_velocity,
+                 .friction_force = -step.friction_force,
+                 .state = step.slides ? data::ContactState::slip : data::ContactState::stick});
   for_each_row(problem, sampling, [&](long step, double time) {
     const auto n = static_cast<std::size_t>(step);
     HistoryRow row = contact_between(run.steps(), n * steps_per_row);

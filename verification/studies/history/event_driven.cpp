@@ -53,6 +53,7 @@ History event_driven_history(const data::Case& problem, const Sampling& sampling
     HistoryRow row = row_of(run);
     row.midspan_displacement = analytic::absolute_displacement(midspan, run);
     for (const auto& shape : shapes) row.displacement.push_back(analytic::absolute_displacement(shape, run));
+    hold_to_law(problem, history, row);
     add_row(problem, history, sink, std::move(row));
   });
   set_events(history, events_of(run, beam.model().wall_speed));

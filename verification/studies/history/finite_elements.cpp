@@ -35,9 +35,10 @@ History finite_element_history(const data::Case& problem, const Sampling& sampli
   };
   step_to(for_each_row(problem, sampling, [&](long step, double) {
     step_to(step);
-    add_row(problem, history, sink,
-            row_of(simulation,
-                   step % sampling.positions_every == 0 ? sampling.positions : std::vector<double>()));
+    HistoryRow row =
+        row_of(simulation, step % sampling.positions_every == 0 ? sampling.positions : std::vector<double>());
+    hold_to_law(problem, history, row);
+    add_row(problem, history, sink, std::move(row));
   }));
   auto events = simulation.integrator().events();
   for (auto& event : events) event.position += problem.wall.speed() * event.time;

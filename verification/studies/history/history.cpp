@@ -17,6 +17,7 @@
 #include "stickslip/data/input_error.hpp"
 #include "stickslip/data/key.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
+#include "stickslip/solver/contact_system.hpp"
 #include "studies/common/convergence.hpp"
 
 namespace stickslip::studies {
@@ -60,6 +61,22 @@ void add_row(const data::Case& problem, History& history, const RowSink& sink, H
     sink(row);
   else
     history.rows.push_back(std::move(row));
+}
+
+void hold_to_law(const data::Case& problem, History& history, const HistoryRow& row) {
+  constexpr double rounding = 1e-9;
+  const double force = problem.beam.axial_force(), limit = problem.friction.static_coefficient() * force,
+               speed = std::abs(row.sliding_velocity);
+  const bool is_rigid = problem.contact.is_rigid(), sticks = row.state == data::ContactState::stick;
+  const double sliding = solver::friction_coefficient(problem.friction.in_slip(), speed) * force;
+  const double largest = sticks && is_rigid ? limit : std::max(sliding, is_rigid ? 0.0 : limit);
+  bool holds = std::abs(row.friction_force) <= largest + rounding * limit;
+  if (is_rigid && sticks) holds = holds && speed == 0.0;
+  if (is_rigid && !sticks && speed > 0.0)
+    holds = std::abs(row.friction_force - std::copysign(sliding, row.sliding_velocity)) <= rounding * limit;
+  if (holds) return;
+  ++history.rows_off_law;
+  if (!history.off_law) history.off_law = row;
 }
 
 long for_each_row(const data::Case& problem, const Sampling& sampling,

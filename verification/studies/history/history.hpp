@@ -45,6 +45,8 @@ struct History {
   std::optional<double> first_slip{};  ///< s; closed form: the first row with |f| > μ_s P
   /// Estimated error: the largest change of y(L) over the rows on twice the step of the method, m.
   std::optional<double> step_effect{};
+  std::optional<HistoryRow> off_law{};  ///< the first row that hold_to_law() found off the law of its contact
+  long rows_off_law{};
 };
 
 STICKSLIP_MEMBERS(HistoryRow, (time, "s"), (tip_displacement, "m"), (friction_force, "N"), (state, "-"),
@@ -77,6 +79,10 @@ void require_bounded(const data::Case& problem, double deflection, double time,
 
 /// Hands the row to the sink or, without one, keeps it in the history. Throws as require_bounded().
 void add_row(const data::Case& problem, History& history, const RowSink& sink, HistoryRow row);
+
+/// Holds a row of a history that follows the slip to the law of its contact: in stick |f| <= μ_s P and, at a rigid
+/// contact, v_s = 0; in slip f = sgn(v_s) μ(|v_s|) P at a rigid contact, and at most that at another; to 1e-9 of μ_s P.
+void hold_to_law(const data::Case& problem, History& history, const HistoryRow& row);
 
 /// Calls `row` with the step of numerics.time_step() and the time (s) of each row, ascending. Returns the step with which
 /// the run ends.

@@ -5,8 +5,9 @@
 #include "stickslip/analytic/beam_boundary_integral.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "studies/common/convergence.hpp"
+#include "studies/common/problem_parameter.hpp"
 #include "studies/history/method.hpp"
-#include "support/random_beams.hpp"
+#include "support/random_cases.hpp"
 #include "support/testing.hpp"
 
 namespace stickslip::testing {
@@ -302,6 +303,40 @@ TEST(BoundaryIntegralContact, TakesAStepWithOneSolution) {
   const double step = studies::boundary_integral_step(problem);
   EXPECT_LT(step, studies::boundary_integral_step(case_of("paper")));
   EXPECT_NO_THROW((void)studies::method("boundary-integral").run(problem, {}, {}, {}));
+}
+
+// A reversal of a few modes is a stick, shorter than they resolve, and an onset the other way.
+std::string kinds(const studies::History& history) {
+  std::string text;
+  for (const auto& event : history.events)
+    text += event.change == ContactChange::reversal ? "co" : std::string(1, data::to_string(event.change)[0]);
+  return text;
+}
+
+STICKSLIP_VERIFIES(DampedHistories, "D4");
+TEST(DampedHistories, ObeyTheLawAndHaveTheSameChanges) {
+  const CaseDomain domain{
+      .lowest_force = 0.01, .lowest_load = 1.2, .longest = 3.0, .lowest_frequency = 0.1, .kelvin_voigt = 1.0};
+  on_random_cases(8, domain, [](const CaseText& text, RandomNumbers&) {
+    const data::Case problem = text.problem();
+    const double period = 1.0 / problem.excitation.frequency_hz();
+    const auto with_modes = [&](double factor) {
+      return studies::event_driven_history(
+          with_value(problem, "numerics.modes", factor * problem.numerics.modes()), {});
+    };
+    const studies::History events = with_modes(2.0);
+    EXPECT_EQ(events.rows_off_law, 0);
+    const studies::History own = studies::finite_element_history(problem);
+    EXPECT_EQ(own.rows_off_law, 0);
+    if (kinds(with_modes(1.0)) == kinds(events)) {
+      EXPECT_EQ(kinds(own), kinds(events));
+    }
+    for (const double radius : {0.0, 0.9}) {
+      const data::Case stated =
+          with_values(problem, {{"numerics.time_step", period / 80.0}, {"numerics.spectral_radius", radius}});
+      EXPECT_EQ(studies::finite_element_history(stated).rows_off_law, 0) << radius;
+    }
+  });
 }
 
 }  // namespace

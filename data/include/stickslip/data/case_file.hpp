@@ -102,12 +102,13 @@ constexpr double default_duration = 10.0;
 ///     elements            4 k: four for each half-wave of mode k
 ///     time_step           1/(50 f_k), rounded down to 1, 2 or 5 times a power of ten, at most the duration if that is
 ///                         positive, s
-///     spectral_radius     0.9
+///     spectral_radius     0 with damping.kelvin_voigt, which makes the modes that the step does not resolve turn over
+///                         by -spectral_radius in each step (theory.md, Section 8); else 0.9
 ///     velocity_threshold  0 m/s
 ///     modes               k
 ///
 /// Why these: see the user guide, "Defaults of [numerics]".
 [[nodiscard]] NumericalChoices default_numerics(const Beam& beam, const HarmonicExcitation& excitation,
-                                                double duration);
+                                                double duration, const Damping& damping = Damping());
 
 }  // namespace stickslip::data
