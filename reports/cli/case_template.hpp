@@ -18,8 +18,8 @@ struct CaseLine {
   [[nodiscard]] std::string path() const { return table + "." + key; }
 };
 
-/// The steel strip of the tutorial.
-[[nodiscard]] std::vector<CaseLine> steel_strip();
+/// The steel blade of the tutorial.
+[[nodiscard]] std::vector<CaseLine> steel_blade();
 
 /// Without the sides that a section of this shape does not have, unless --set gives them: the reader refuses those.
 [[nodiscard]] std::vector<CaseLine> for_shape(std::vector<CaseLine> lines);

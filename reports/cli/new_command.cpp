@@ -64,7 +64,7 @@ Answer new_case(const NewOptions& options, Outputs& outputs) {
   std::error_code unusable;  // which opening it reports
   if (std::filesystem::exists(options.file, unusable))
     throw data::FieldError("FILE", data::printable(options.file), "a file that does not exist yet");
-  std::vector<CaseLine> lines = steel_strip();
+  std::vector<CaseLine> lines = steel_blade();
   for (const std::string& text : options.overrides) set(lines, data::Override::parse(text));
   const bool at_a_terminal =
       options.overrides.empty() && ::isatty(STDIN_FILENO) == 1 && ::isatty(STDERR_FILENO) == 1;
