@@ -29,7 +29,7 @@ set label sprintf("plate, μ_s about %g", static_coefficient) at 1.03, 0.36 cent
 set object 4 rectangle from 1.06, -0.05 to 1.2, 0.05 fillstyle solid border rgb black fillcolor rgb slip_fill
 set label "load cell: axial\nand friction force" at 1.1, -0.13 left
 set arrow from 1.45, 0 to 1.21, 0 arrowstyle 3
-set label sprintf("P = %g N by a\nweight (and 0.5,\n1, 3, 4 N)", axial_force) at 1.47, 0.08 left
+set label sprintf("P = %g N by a\nsoft spring (and 0.5,\n1, 3, 4 N)", axial_force) at 1.47, 0.08 left
 set arrow from 0.93, -0.4 to 0.93, -0.02 linestyle 5 dashtype 3 nohead
 set label "laser: motion of the tip" at 0.91, -0.36 right
 plot NaN
