@@ -174,12 +174,14 @@ void ContactMotion::begin_slip(double direction) {
 
 void ContactMotion::leave_stick() {
   record(data::ContactChange::onset);
-  const double direction = -sign(holding_force());
-  // Where the force does not jump, neither does the acceleration: the contact still has that of the wall. What the stiff
-  // modes of a damped mesh add to it may point backwards.
-  const bool is_smooth =
-      system_.friction.in_slip().static_coefficient() == system_.friction.static_coefficient();
-  if (system_.damping.nonZeros() == 0 || !is_smooth || phase_.state != data::ContactState::stick) {
+  const double force = holding_force(), direction = -sign(force);
+  // At a located onset the force does not jump, unless the law does, and so the contact still has the acceleration of the
+  // wall. What the stiff modes of a damped mesh would add to it may point backwards.
+  constexpr double located = 1e-6;
+  const bool jumps =
+      system_.friction.in_slip().static_coefficient() < system_.friction.static_coefficient() ||
+      contact_.excess(force) > located * std::abs(force);
+  if (system_.damping.nonZeros() == 0 || jumps || !is_stuck()) {
     begin_slip(direction);
   } else {
     kernel_->restart(phase_, time_, now_);
