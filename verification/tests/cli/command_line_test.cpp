@@ -209,8 +209,15 @@ TEST_F(CommandLine, JudgesSeveralCasesAndAPlanOfPointsInOneTable) {
   for (const auto& [row, arguments] : {std::pair{1, "steel-strip --set beam.length=0.4 --amplitude 5e-4"},
                                        {4, "paper --set beam.length=0.3 --amplitude 1e-3"}}) {
     const auto one = json(std::string("criterion --hz 30 ") + arguments);
-    EXPECT_EQ(rows[row].back(), one["all_modes"]["verdict"]);
-    const double margin = std::stod(rows[row][rows[row].size() - 2]);
+    const auto cell = [&, row = row](const std::string& name) {
+      return rows[row].at(static_cast<std::size_t>(std::ranges::find(rows[0], name) - rows[0].begin()));
+    };
+    EXPECT_EQ(cell("verdict"), one["all_modes"]["verdict"]);
+    EXPECT_EQ(std::stod(cell("force_lower_N")), one["all_modes"]["force_max_N"]["lower"]);
+    EXPECT_EQ(std::stod(cell("force_upper_N")), one["all_modes"]["force_max_N"]["upper"]);
+    EXPECT_NEAR(std::stod(cell("steady_force_N")), one["steady"]["force_N"].get<double>(),
+                1e-6 * one["steady"]["force_N"].get<double>());
+    const double margin = std::stod(cell("margin"));
     EXPECT_GE(margin, one["margin"]["lower"]);
     EXPECT_LE(margin, one["margin"]["upper"]);
   }
@@ -496,7 +503,7 @@ TEST_F(CommandLine, UncertaintyGivesTheProbabilityOfSlip) {
     return fmt::format("{:#.4g} ... {:#.4g}", low.get<double>(), high.get<double>());
   };
   for (const auto& key : answer["keys"])
-    lines.push_back(fmt::format("{:<28}{:<26}{:<22}{:<28}{}", key["key"].get<std::string>(),
+    lines.push_back(fmt::format("{:<29}{:<26}{:<22}{:<28}{}", key["key"].get<std::string>(),
                                 range(key["quantile_5"], key["quantile_95"]),
                                 range(key["margin_at_quantile_5"], key["margin_at_quantile_95"]),
                                 with_interval(key["first_index"], 3), with_interval(key["total_index"], 3)));

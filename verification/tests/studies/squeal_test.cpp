@@ -275,7 +275,8 @@ TEST(MovingWallOfTheMesh, HasTheChangesOfTheEventDrivenRun) {
   const auto exact = studies::event_driven_history(model.model(), {0.01}).events;
   std::vector<double> errors;
   for (const double step : {1e-6, 5e-7}) {
-    const auto events = studies::finite_element_history(studies::refined(problem, 24, step, 0.01), {}).events;
+    const auto events =
+        studies::finite_element_history(studies::refined(problem, 24, step, 0.01, 0.9), {}).events;
     ASSERT_EQ(events.size(), exact.size());
     errors.push_back(studies::largest_difference(events, exact, exact.size()).time);
     for (const auto& onset : {events.front(), exact.front()}) {  // a tip that sticks goes with the wall
