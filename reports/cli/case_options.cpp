@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/data/csv_text.hpp"
 
@@ -192,7 +194,7 @@ void add_bending(Answer& answer, const data::Beam& beam, const studies::Bending&
   if (steady) answer.add_members({{"steady_draw_back_m", *steady}});
   answer.add_row({"spring that keeps P / (N/m)",
                   "keeping_spring_N_per_m",
-                  {finite_json(spring), "below " + rounded(spring, 3).text}});
+                  {finite_json(spring), std::isfinite(spring) ? "below " + rounded(spring, 3).text : "any"}});
 }
 
 Json problem_json(const data::Case& problem) {
