@@ -565,6 +565,7 @@ class Search {
         // The settings of the paper answer in seconds, and find 45 of the 47 changes of contact of `damped`.
         numbers["numerics.elements"] = 20;
         numbers["numerics.time_step"] = 1.0 / (400.0 * numbers["excitation.frequency_hz"]);
+        numbers["numerics.spectral_radius"] = 0.9;
         numbers["numerics.velocity_threshold"] = 1e-4;
       }
       return data::case_with(name, numbers);
