@@ -68,10 +68,10 @@ std::string is_not(const std::string& text, std::string_view allowed) {
 CLI::Validator integer_between(long lowest, long highest) {
   const auto check = [lowest, highest](std::string& text) -> std::string {
     const auto value = parse<long>(text);
-    const bool is_in = value && lowest <= *value && *value <= highest;
-    if (is_in) text = std::to_string(*value);  // CLI11 reads 010 as 8
-    if (is_in) return "";
-    return is_not(text, fmt::format("an integer from {} to {}", lowest, highest));
+    if (!value || *value < lowest || *value > highest)
+      return is_not(text, fmt::format("an integer from {} to {}", lowest, highest));
+    text = std::to_string(*value);  // CLI11 reads 010 as 8
+    return "";
   };
   return {check, fmt::format("{} ... {}", lowest, highest)};
 }

@@ -61,9 +61,13 @@ analytic::Bounds unit_force(const data::Case& problem, int modes, double relativ
   return {std::max(0.0, lower - omitted), upper + omitted};
 }
 
+int most_modes(const data::Case& problem) {
+  return is_damped(problem) ? most_damped_modes : most_undamped_modes;
+}
+
 // From so many on, doubled until the highest is at 4 Ω; half of them are then above Ω.
 int enough_modes(const data::Case& problem, int first) {
-  const int most = is_damped(problem) ? most_damped_modes : most_undamped_modes;
+  const int most = most_modes(problem);
   const double omega = angular_frequency(problem.excitation);
   for (int modes = first;; modes = std::min(2 * modes, most)) {
     const double highest = analytic::modal_forces(problem.beam, modes).back().angular_frequency;
@@ -76,12 +80,15 @@ int enough_modes(const data::Case& problem, int first) {
   }
 }
 
+int kept_modes(const data::Case& problem) {
+  return enough_modes(problem, is_damped(problem) ? damped_modes : undamped_modes);
+}
+
 // N per m: with a damping ratio by the modes kept, else exact.
 analytic::Bounds steady_force_per_unit(const data::Case& problem) {
   const auto unit = unit_excitation(problem.excitation.frequency_hz());
   const double omega = angular_frequency(unit);
-  if (problem.damping.ratio() > 0.0)
-    return damped_force(problem, enough_modes(problem, damped_modes)).steady_bounds();
+  if (problem.damping.ratio() > 0.0) return damped_force(problem, kept_modes(problem)).steady_bounds();
   const auto exactly = [](double force) { return analytic::Bounds{std::abs(force), std::abs(force)}; };
   if (problem.damping.kelvin_voigt() > 0.0)
     return exactly(
@@ -89,20 +96,30 @@ analytic::Bounds steady_force_per_unit(const data::Case& problem) {
                      .friction_force()));
   if (problem.beam.shear_stiffness() > 0.0)
     return exactly(analytic::timoshenko_steady_force(problem.beam, omega));
-  return exactly(
-      analytic::StickResponse(problem.beam, unit, enough_modes(problem, undamped_modes), SteadyPart::exact)
-          .steady_force_amplitude());
+  return exactly(analytic::StickResponse(problem.beam, unit, kept_modes(problem), SteadyPart::exact)
+                     .steady_force_amplitude());
 }
 
 StickFrequency nearest_stick_frequency(const data::Case& problem) {
-  const auto shares = analytic::modal_forces(
-      problem.beam, enough_modes(problem, is_damped(problem) ? damped_modes : undamped_modes));
+  const auto shares = analytic::modal_forces(problem.beam, kept_modes(problem));
   const double omega = angular_frequency(problem.excitation);
   const auto nearest = std::ranges::min_element(
       shares, {}, [&](const auto& share) { return std::abs(share.angular_frequency - omega); });
   return {.mode = static_cast<int>(nearest - shares.begin()) + 1,
           .hz = nearest->angular_frequency / (2.0 * std::numbers::pi),
           .distance = (nearest->angular_frequency - omega) / omega};
+}
+
+std::optional<SteadyState> steady_state(const data::Case& problem, const StickFrequency& nearest) {
+  const auto natural = closed_form_frequencies(problem.beam, analytic::TipSupport::held, nearest.mode).back();
+  if (!is_damped(problem) && std::abs(nearest.distance) <= natural.relative_error) return std::nullopt;
+  const analytic::Bounds per_unit = steady_force_per_unit(problem);
+  const double limit = friction_limit(problem);
+  const analytic::Bounds force = problem.excitation.amplitude() * per_unit;
+  return SteadyState{.force = force,
+                     .critical_amplitude = limit / per_unit,
+                     .verdict = analytic::verdict_of(force, limit),
+                     .reached = is_damped(problem) || !resonance_warning(problem)};
 }
 
 // At these times, the tip held by as much friction as it takes.
@@ -130,8 +147,8 @@ double steady_draw_back(const data::Case& problem) {
       times.push_back(150.0 / (ratio * first) + i / (64.0 * problem.excitation.frequency_hz()));
     return held_bending(problem, times).draw_back;
   }
-  const analytic::StickResponse response(problem.beam, problem.excitation,
-                                         enough_modes(problem, undamped_modes), SteadyPart::exact);
+  const analytic::StickResponse response(problem.beam, problem.excitation, kept_modes(problem),
+                                         SteadyPart::exact);
   HistoryRow crest;
   for (const double x : Bending::positions(problem.beam.length()))
     crest.displacement.push_back(response.steady_displacement_amplitude(x));
@@ -173,12 +190,12 @@ std::optional<Change> best_change(
   for (const std::string_view key :
        {"beam.length", "section.width", "section.height", "section.diameter", "section.wall_thickness",
         "beam.axial_force", "friction.static_coefficient"})
-    for (const double factor : {0.9, 1.1})
-      if (std::isnan(data::value_of(problem, key)))
-        continue;
-      else if (const auto margin = margin_with(key, factor * data::value_of(problem, key));
-               margin && *margin > best.margin)
+    for (const double factor : {0.9, 1.1}) {
+      const double value = factor * data::value_of(problem, key);
+      if (std::isnan(value)) continue;
+      if (const auto margin = margin_with(key, value); margin && *margin > best.margin)
         best = {key, factor, *margin};
+    }
   return best.key.empty() ? std::nullopt : std::optional(best);
 }
 
@@ -192,9 +209,8 @@ bool too_few_modes(const analytic::Criterion& truncated, const analytic::Criteri
 analytic::Criterion criterion_with_all_modes(const data::Case& problem, double relative_width,
                                              bool verdict_alone) {
   analytic::require_contact(problem.beam);
-  const bool damped = is_damped(problem);
-  const int most = damped ? most_damped_modes : most_undamped_modes;
-  const int first = damped          ? damped_modes
+  const int most = most_modes(problem);
+  const int first = is_damped(problem) ? damped_modes
                     : verdict_alone ? std::clamp(4 * problem.numerics.modes(), damped_modes, undamped_modes)
                                     : undamped_modes;
   const double limit = friction_limit(problem);
@@ -211,16 +227,7 @@ analytic::Criterion criterion_with_all_modes(const data::Case& problem, double r
 }
 
 std::optional<SteadyState> steady_state(const data::Case& problem) {
-  const StickFrequency nearest = nearest_stick_frequency(problem);
-  const auto natural = closed_form_frequencies(problem.beam, analytic::TipSupport::held, nearest.mode).back();
-  if (!is_damped(problem) && std::abs(nearest.distance) <= natural.relative_error) return std::nullopt;
-  const analytic::Bounds per_unit = steady_force_per_unit(problem);
-  const double limit = friction_limit(problem);
-  const analytic::Bounds force = problem.excitation.amplitude() * per_unit;
-  return SteadyState{.force = force,
-                     .critical_amplitude = limit / per_unit,
-                     .verdict = analytic::verdict_of(force, limit),
-                     .reached = is_damped(problem) || !resonance_warning(problem)};
+  return steady_state(problem, nearest_stick_frequency(problem));
 }
 
 std::optional<Bending> held_bending(const data::Case& problem) {
@@ -241,7 +248,7 @@ CriterionAnswer criterion_answer(const data::Case& problem, const Remake& remake
                          .bending = held_bending(problem),
                          .steady_draw_back = {},
                          .best_change = {}};
-  answer.steady = steady_state(problem);
+  answer.steady = steady_state(problem, answer.nearest);
   if (answer.bending && answer.steady) answer.steady_draw_back = steady_draw_back(problem);
   if (problem.excitation.amplitude() > 0.0 && !too_few_modes(answer.truncated, answer.all_modes))
     answer

@@ -47,12 +47,13 @@ struct CriterionAnswer {
 
 /// The case with a key at another value, and with the settings that the program chooses for it.
 using Remake = std::function<data::Case(std::string_view key, double value)>;
+
 /// The bending of the beam with its tip held, in the modes of the continuous beam, over the duration of the case: the largest of 4096
 /// instants, which are dense at the start and not commensurate with any period; about 1 % low at most. Nothing for a beam with shear.
 [[nodiscard]] std::optional<Bending> held_bending(const data::Case& problem);
 
-/// The criterion of a case with a rigid contact by all routes; each key of best_change() is then changed by a tenth, by data::with_value()
-/// unless there is a `remake`, and the change with the largest margin is kept, of numerics.modes, unless too_few_modes(). Throws what evaluate_criterion() throws.
+/// The criterion of a case with a rigid contact by all routes, and best_change() of the margin with numerics.modes, unless these are
+/// too_few_modes(). A changed case is made by `remake` or, without one, by data::with_value(). Throws what evaluate_criterion() throws.
 [[nodiscard]] CriterionAnswer criterion_answer(const data::Case& problem, const Remake& remake = {});
 
 /// CriterionAnswer::all_modes: the exact steady part and many free vibrations, with bounds that hold those that are left out
