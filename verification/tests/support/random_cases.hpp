@@ -4,6 +4,7 @@
 /// Random cases over the range that a case file may state, as case files: a claim that fails prints the file. A case is drawn in
 /// dimensionless numbers, so that a plastic clip and a steel pipe are equally likely.
 
+#include <cstdlib>
 #include <map>
 #include <string>
 
@@ -106,9 +107,16 @@ inline CaseText random_case(RandomNumbers& numbers, const CaseDomain& domain) {
   return text;
 }
 
+/// How many times as many cases are drawn: STICKSLIP_TIMES_CASES of the environment, for the slow tests, or 1.
+inline int times_cases() {
+  const char* text = std::getenv("STICKSLIP_TIMES_CASES");
+  return text == nullptr ? 1 : std::stoi(text);
+}
+
 /// Calls claim(text, numbers) for `count` random cases from the seed on, each with random numbers of its own.
 template <typename Claim>
 void on_random_cases(int count, const CaseDomain& domain, Claim&& claim, std::uint64_t first_seed = 1) {
+  count *= times_cases();
   for (std::uint64_t seed = first_seed; seed < first_seed + static_cast<std::uint64_t>(count); ++seed) {
     RandomNumbers numbers(seed);
     const CaseText text = random_case(numbers, domain);
