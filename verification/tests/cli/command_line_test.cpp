@@ -242,6 +242,8 @@ TEST_F(CommandLine, RespondFollowsTheSchemeAskedFor) {
     const auto answer =
         json("respond --hz 25 --amplitude 1e-3 --duration 0.06 --output history.csv --scheme " + scheme);
     EXPECT_EQ(answer["scheme"], scheme);
+    EXPECT_EQ(holds(answer["warnings"].dump(), "--scheme " + scheme + " is a comparison"),
+              scheme != "located");
     return answer["first_slip_s"].get<double>();
   };
   EXPECT_LT(first_slip("located"), 0.0553);
