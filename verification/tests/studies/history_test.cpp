@@ -301,7 +301,7 @@ TEST(BoundaryIntegralContact, TakesAStepWithOneSolution) {
   const auto problem = case_of("paper", {{"friction.decay", "30"},
                                          {"friction.kinetic_coefficient", "0.01"},
                                          {"beam.axial_force", "5e4"},
-                                         {"excitation.duration", "0.002"},
+                                         {"excitation.duration", "0.0002"},
                                          {"excitation.amplitude", "1e-5"}});
   const double step = studies::boundary_integral_step(problem);
   EXPECT_LT(step, studies::boundary_integral_step(case_of("paper")));
