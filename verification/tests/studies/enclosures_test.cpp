@@ -22,22 +22,26 @@ constexpr CaseDomain domain{.highest_force = 0.9,
                             .highest_frequency = 3.0,
                             .resonant = 0.1};
 
-// By elements in steps, the tip bonded; `finer` is 1 or 2.
-double force_by_elements(const data::Case& problem, int finer) {
-  const double step = std::min(problem.numerics.time_step(), problem.numerics.duration() / 400.0);
-  return solver::max_abs_friction_force(
-      data::with_values(problem, {{"numerics.elements", 40.0 * finer},
-                                  {"numerics.time_step", step / static_cast<double>(finer * finer)}}));
+// By elements in steps, the tip bonded; `finer` is 1/2, 1 or 2.
+double force_by_elements(const data::Case& problem, double finer) {
+  // Steps that divide the duration, at the end of which |f| may be largest.
+  const double duration = problem.numerics.duration();
+  const double step = duration / std::ceil(std::max(duration / problem.numerics.time_step(), 400.0));
+  return solver::max_abs_friction_force(data::with_values(
+      problem,
+      {{"numerics.elements", 40.0 * finer}, {"numerics.time_step", step / std::max(1.0, finer * finer)}}));
 }
 
 struct Truth {
   double force{}, error{};  // N
 };
-// The error falls at least in proportion to the step, where damping makes the force jump at the start: that of the finer run is then a
-// third of their difference, which leaves a margin of 3.
+// The error falls at least in proportion to the step, where damping makes the force jump at the start: that of the finest run is at most
+// the difference to the one before. In a short undamped start, in which waves run, two may be alike by chance: so the spread of three.
 Truth by_elements(const data::Case& problem) {
-  const double fine = force_by_elements(problem, 2);
-  return {fine, std::abs(fine - force_by_elements(problem, 1)) + 1e-9 * fine};
+  const double rough = force_by_elements(problem, 0.5), middle = force_by_elements(problem, 1.0),
+               fine = force_by_elements(problem, 2.0);
+  const auto [least, most] = std::minmax({rough, middle, fine});
+  return {fine, most - least + 1e-9 * fine};
 }
 
 data::Case paper_at(double hz, double amplitude, double duration,
@@ -124,7 +128,7 @@ TEST(Enclosures, AreRefinedUntilTheVerdictIsDecided) {
 
 // Where N modes are off by 5 %, and by more than the elements are, the warning says so.
 TEST(Enclosures, AreWarnedOfWhereNModesAreTooFew) {
-  int warned = 0;
+  int warned = 0, silent = 0;
   on_random_cases(24, domain, [&](const CaseText& text, RandomNumbers& numbers) {
     const data::Case problem = data::with_value(text.problem(), "numerics.modes", numbers.whole(1, 10));
     const double computed = studies::criterion_of(problem).force_max.midpoint();
@@ -134,9 +138,9 @@ TEST(Enclosures, AreWarnedOfWhereNModesAreTooFew) {
     const bool is_warned = std::ranges::find(warnings, studies::Concern::few_modes,
                                              &studies::Warning::concern) != warnings.end();
     EXPECT_TRUE(is_warned || !is_off) << computed << " N, by elements " << force << " +- " << error;
-    warned += is_warned;
+    (is_warned ? warned : silent) += 1;
   });
-  EXPECT_TRUE(0 < warned && warned < 24) << warned;
+  EXPECT_GT(std::min(warned, silent), 0);
 }
 
 }  // namespace
