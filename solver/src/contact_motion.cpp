@@ -199,6 +199,9 @@ void ContactMotion::settle_at_rest() {
   }
   const double direction = -sign(force);
   record(direction == phase_.direction ? data::ContactChange::graze : data::ContactChange::reversal);
+  // A phase that never moved forward ends with the step: what slides backward by then stops, as at a capture.
+  if (settings_.scheme == ContactScheme::located && direction * sliding_velocity() < 0.0)
+    held_contact_.remove_sliding_velocity(now_, time_);
   begin_slip(direction);
   notify();
 }
