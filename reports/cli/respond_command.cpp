@@ -81,9 +81,10 @@ Answer respond(const RespondOptions& options, Outputs& outputs) {
   }
   const auto history =
       method.run(problem, sampling, choices, [&](const studies::HistoryRow& row) { output.add(row, step); });
+  studies::require_no_growth(problem, method.inquiry, history);
   output.finish(history);
   Answer answer = answer_of(problem, options, history, output);
-  answer.warnings = studies::warnings_after(problem, method.inquiry, history);
+  answer.warnings = studies::warnings_after(problem, method.inquiry, history, choices);
   add_warning(answer, studies::row_warning(problem, method, step, output.row_step()));
   if (options.scheme && *options.scheme != "located")
     add_warning(answer,
@@ -93,23 +94,15 @@ Answer respond(const RespondOptions& options, Outputs& outputs) {
   add_warning(answer, studies::deflection_warning(problem.beam, output.largest_deflection()));
   add_warning(answer, studies::draw_back_warning(problem.beam, output.bending().draw_back));
   if (choices.initial_velocity == solver::InitialVelocity::zero)
-    add_warning(
-        answer,
-        std::string(
-            "--initial-velocity zero starts with a blow of the base: the largest |f| just after it grows "
-            "with "
-            "the modes or "
-            "elements without a limit, so that it and a slip, or none, that follows from it are no results"));
+    add_warning(answer, std::string("--initial-velocity zero starts with a blow of the base: the largest |f| "
+                                    "just after it grows with the modes or elements without a limit, so that "
+                                    "it and a slip, or none, that follows from it are no results"));
   if (output.window() && !output.spectrum().is_flat_top && output.spectrum().leak > studies::allowed_leak)
-    add_warning(
-        answer,
-        fmt::format(
-            "{:.2g} % of the amplitude in the spectrum is no harmonic of the base, and leaks into all lines: "
-            "the "
-            "window has "
-            "{} periods of the base; from 8 on, a duration of {} s, a flat-top window takes its place",
-            100.0 * output.spectrum().leak, output.window()->periods,
-            data::shortest_text(16.0 / problem.excitation.frequency_hz())));
+    add_warning(answer, fmt::format("{:.2g} % of the amplitude in the spectrum is no harmonic of the base, "
+                                    "and leaks into all lines: the window has {} periods of the base; from 8 "
+                                    "on, a duration of {} s, a flat-top window takes its place",
+                                    100.0 * output.spectrum().leak, output.window()->periods,
+                                    data::shortest_text(16.0 / problem.excitation.frequency_hz())));
   return answer;
 }
 
@@ -118,35 +111,32 @@ void add_options(CLI::App& command, RespondOptions& options) {
   options.problem.rigid_for.clear();
   add_excitation_options(command, options.problem);
   command
-      .add_option(
-          "--method", options.method,
-          "Finite elements with contact, event by event in the modes of the continuous beam, the boundary "
-          "integral of the tip (all modes, no mesh; the one that converges without damping), or the closed "
-          "form of the stick state")
+      .add_option("--method", options.method,
+                  "Finite elements with contact, event by event in the modes of the continuous beam, the "
+                  "boundary integral of the tip (all modes, no mesh; the one that converges without "
+                  "damping), or the closed form of the stick state")
       ->check(one_of(studies::method_names()))
       ->capture_default_str();
   add_choice_option(command, "--initial-velocity", options.initial_velocity, {"quasi-static", "zero"},
                     "u_t(x,0): S(x) h_t(0), or the zero of the paper's text (an impulsive start)");
   command
-      .add_option("--scheme", options.scheme,
-                  "When the contact changes: located inside the step, at the end of the step, or by the "
-                  "letter of the paper (threshold, no impulse); the last two show what the first is worth "
-                  "(default: located)")
+      .add_option(
+          "--scheme", options.scheme,
+          "When the contact changes: located inside the step, at the end of the step, or by the letter of "
+          "the paper (threshold, no impulse); the last two show what the first is worth (default: located)")
       ->check(one_of({"end-of-step", "located", "paper"}));
   add_duration_option(command, options.problem);
   add_file_option(command, "--output", options.history.output, "CSV file, '-' for standard output");
   add_file_option(command, "--events", options.history.events, "CSV file for the changes of contact");
-  add_file_option(
-      command, "--spectrum", options.history.spectrum,
-      "CSV file for the amplitude spectra of tip and friction force, over the whole periods of the base "
-      "motion in the second half of the duration");
+  add_file_option(command, "--spectrum", options.history.spectrum,
+                  "CSV file for the amplitude spectra of tip and friction force, over the whole periods of "
+                  "the base motion in the second half of the duration");
   add_figure_option(command, options.history.figure);
-  auto* every =
-      command
-          .add_option("--every", options.history.every,
-                      "Write every N-th time step (default: as few as leave 100 rows in a period of "
-                      "the base, 20 in one of the first natural frequency and 2000 in all)")
-          ->transform(integer_between(1, 1'000'000'000));
+  auto* every = command
+                    .add_option("--every", options.history.every,
+                                "Write every N-th time step (default: as few as leave 100 rows in a period "
+                                "of the base, 20 in one of the first natural frequency and 2000 in all)")
+                    ->transform(integer_between(1, 1'000'000'000));
   command.add_option("--rate", options.history.rate, "Write at least so many rows a second")
       ->transform(number("Hz"))
       ->excludes(every);

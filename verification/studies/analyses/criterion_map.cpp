@@ -330,11 +330,12 @@ CriterionMap criterion_map(const MapTask& task) {
 
 std::vector<Warning> map_warnings(const MapTask& task) {
   auto warnings = warnings_common_to(task.problem, {task.x.parameter, task.y.parameter});
-  if (task.method != MapMethod::closed_form || !task.quantities.empty()) return warnings;
+  if (!task.quantities.empty()) return warnings;
+  const auto warning_at = task.method == MapMethod::closed_form ? few_modes_warning : coarse_mesh_warning;
   const std::size_t last_x = task.x.values.size() - 1, last_y = task.y.values.size() - 1;
   for (const auto& [i, j] : {std::pair(last_x, last_y), {last_x, 0}, {0, last_y}, {0, 0}})
-    if (const auto few = few_modes_warning(case_at(task, i, j))) {
-      warnings.push_back(*few);
+    if (const auto warning = warning_at(case_at(task, i, j))) {
+      warnings.push_back(*warning);
       break;
     }
   return warnings;

@@ -109,8 +109,8 @@ void evaluate(const MapTask& task, std::span<const std::size_t> numbers, MapEval
 /// or if the beam is buckled and neither axis is a number of it.
 [[nodiscard]] CriterionMap criterion_map(const MapTask& task);
 
-/// warnings_common_to() all cells, and of a closed form few_modes_warning() of the first corner that has it, the one with the
-/// highest values before the others.
+/// warnings_common_to() all cells, and few_modes_warning() of a closed form, coarse_mesh_warning() of finite elements, of the
+/// first corner that has it, the one with the highest values before the others.
 [[nodiscard]] std::vector<Warning> map_warnings(const MapTask& task);
 
 /// What evaluations of a map cost, from a sample that was timed.

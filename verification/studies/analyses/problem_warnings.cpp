@@ -106,14 +106,12 @@ std::optional<Warning> resonance_warning(const data::Case& problem) {
   if (difference * duration > pi) return std::nullopt;
   const std::string end =
       difference * duration < 1e-6 ? "without end" : fmt::format("until {:.3g} s", pi / difference);
-  return Warning{
-      Concern::resonance, problem.excitation.frequency_hz(), nearest_hz,
-      fmt::format(
-          "excitation.frequency_hz is {}, next to natural frequency {} of the stick state, {:.7g} Hz: the "
-          "reaction of the undamped beam grows with t, {}, so that its maximum depends on "
-          "excitation.duration, {} s",
-          data::shortest_text(problem.excitation.frequency_hz()), nearest - modes.begin() + 1, nearest_hz,
-          end, data::shortest_text(duration))};
+  return Warning{Concern::resonance, problem.excitation.frequency_hz(), nearest_hz,
+                 fmt::format("excitation.frequency_hz is {}, next to natural frequency {} of the stick "
+                             "state, {:.7g} Hz: the reaction of the undamped beam grows with t, {}, so that "
+                             "its maximum depends on excitation.duration, {} s",
+                             data::shortest_text(problem.excitation.frequency_hz()),
+                             nearest - modes.begin() + 1, nearest_hz, end, data::shortest_text(duration))};
 }
 
 namespace {
@@ -131,8 +129,7 @@ void warn_of_distance(const data::Case& problem, std::vector<Warning>& warnings)
   const double share = nearest->angular_frequency / omega - 1.0;
   warnings.push_back({Concern::near_resonance, std::abs(share), least_resonance_distance,
                       fmt::format("natural frequency {} is only {} from excitation.frequency_hz: 1 % of "
-                                  "error in it changes the force "
-                                  "by up to {:.2g} %; keep {} away",
+                                  "error in it changes the force by up to {:.2g} %; keep {} away",
                                   nearest - modes.begin() + 1, percent(std::abs(share)),
                                   1.0 / distance(*nearest), percent(least_resonance_distance))});
 }
@@ -144,8 +141,8 @@ void warn_of_thickness(const data::Beam& beam, bool slip, int mode, std::vector<
   const double radius = std::sqrt(beam.second_moment_of_area() / beam.area());
   warnings.push_back(
       {Concern::thick_beam, error, allowed_model_error,
-       fmt::format("the beam is thick for Euler-Bernoulli, sqrt(I/A)/L = {:.3g}: without "
-                   "shear and rotary inertia its natural frequency {} comes out about {} too high",
+       fmt::format("the beam is thick for Euler-Bernoulli, sqrt(I/A)/L = {:.3g}: without shear and rotary "
+                   "inertia its natural frequency {} comes out about {} too high",
                    radius / beam.length(), mode, percent(error))});
 }
 
@@ -164,21 +161,6 @@ void warn_of_step(const data::Case& problem, int mode, std::vector<Warning>& war
                    "the amplitude per period by {}; a step of {:.2g} s changes them by {}",
                    data::shortest_text(step), what, omega / (2.0 * pi), percent(error), suggested,
                    percent(allowed_step_error))});
-}
-
-void warn_of_mesh(const data::Case& problem, std::vector<Warning>& warnings) {
-  constexpr int most_elements = 10'000;
-  const double effect = mesh_effect(problem, problem.numerics.elements());
-  if (effect <= allowed_model_error) return;
-  int enough = problem.numerics.elements() + 1;
-  while (enough < most_elements && mesh_effect(problem, enough) > allowed_model_error)
-    enough += 1 + enough / 10;
-  warnings.push_back(
-      {Concern::coarse_mesh, effect, allowed_model_error,
-       fmt::format(
-           "numerics.elements is {}, too few: the frequencies of the mesh may change the largest |f| by "
-           "up to {}; {} elements change it by {} at most",
-           problem.numerics.elements(), percent(effect), enough, percent(allowed_model_error))});
 }
 
 }  // namespace
@@ -267,7 +249,7 @@ std::vector<Warning> warnings_without_effect(const data::Case& problem, Inquiry 
   const int mode = is_about_frequencies(inquiry) ? frequencies : highest_mode_that_matters(problem);
   warn_of_thickness(problem.beam, inquiry == Inquiry::slip_frequencies, mode, warnings);
   if (inquiry == Inquiry::stepped_history) {
-    warn_of_mesh(problem, warnings);
+    if (auto mesh = coarse_mesh_warning(problem)) warnings.push_back(std::move(*mesh));
     warn_of_step(problem, mode, warnings);
   }
   return warnings;
@@ -285,8 +267,8 @@ std::optional<Warning> instability_warning(const data::Case& problem) {
   return Warning{
       buckles ? Concern::buckling : Concern::flutter, beam.axial_force(), found->load,
       fmt::format(
-          "beam.axial_force is {} N: from {:.4g} N on, {:.4g} E I/L^2, the sliding beam {}, {}damping "
-          "and {}shear; once the tip slips, the motion grows without end, by a factor of e in {:.2g} s",
+          "beam.axial_force is {} N: from {:.4g} N on, {:.4g} E I/L^2, the sliding beam {}, {}damping and "
+          "{}shear; once the tip slips, the motion grows without end, by a factor of e in {:.2g} s",
           data::shortest_text(beam.axial_force()), found->load, found->load / unit,
           buckles ? "buckles" : "flutters", has_loss ? "with its " : "without ",
           is_sheared ? "with its " : "without ", 1.0 / found->root.real())};
@@ -298,12 +280,26 @@ std::optional<Warning> few_modes_warning(const data::Case& problem) {
   const auto truncated = criterion_of(problem, 1e-4), all = criterion_with_all_modes(problem, 1e-4);
   if (!too_few_modes(truncated, all)) return std::nullopt;
   const double mine = truncated.force_max.midpoint(), whole = all.force_max.midpoint();
+  return Warning{Concern::few_modes, mine, whole,
+                 fmt::format("numerics.modes is {}, too few at {} Hz: the largest |f| is {:.3g} N with them, "
+                             "and with all modes {:.3g} N, where the verdict is {}",
+                             problem.numerics.modes(), data::shortest_text(problem.excitation.frequency_hz()),
+                             mine, whole, to_string(all.verdict))};
+}
+
+std::optional<Warning> coarse_mesh_warning(const data::Case& problem) {
+  constexpr int most_elements = 10'000;
+  if (problem.beam.axial_force() >= analytic::stick_buckling_load(problem.beam)) return std::nullopt;
+  const double effect = mesh_effect(problem, problem.numerics.elements());
+  if (effect <= allowed_model_error) return std::nullopt;
+  int enough = problem.numerics.elements() + 1;
+  while (enough < most_elements && mesh_effect(problem, enough) > allowed_model_error)
+    enough += 1 + enough / 10;
   return Warning{
-      Concern::few_modes, mine, whole,
-      fmt::format("numerics.modes is {}, too few at {} Hz: the largest |f| is {:.3g} N with them, and with "
-                  "all modes {:.3g} N, where the verdict is {}",
-                  problem.numerics.modes(), data::shortest_text(problem.excitation.frequency_hz()), mine,
-                  whole, to_string(all.verdict))};
+      Concern::coarse_mesh, effect, allowed_model_error,
+      fmt::format("numerics.elements is {}, too few: the frequencies of the mesh may change the largest |f| "
+                  "by up to {}; {} elements change it by {} at most",
+                  problem.numerics.elements(), percent(effect), enough, percent(allowed_model_error))};
 }
 
 std::string shear_effect(const data::Case& problem) {
@@ -376,12 +372,11 @@ namespace {
 void warn_of_law(const data::Case& problem, const History& history, std::vector<std::string>& sentences) {
   if (!history.off_law) return;
   const HistoryRow& row = *history.off_law;
-  sentences.push_back(
-      fmt::format("at t = {} s the contact is in {} with |f| = {:.4g} N and v_s = {:.3g} m/s, off its law of "
-                  "friction (mu_s P = {:.4g} N), "
-                  "and at {} times in all: a shorter numerics.time_step may help",
-                  data::shortest_text(row.time), data::to_string(row.state), std::abs(row.friction_force),
-                  row.sliding_velocity, friction_limit(problem), history.rows_off_law));
+  sentences.push_back(fmt::format(
+      "at t = {} s the contact is in {} with |f| = {:.4g} N and v_s = {:.3g} m/s, off its law of friction "
+      "(mu_s P = {:.4g} N), and at {} times in all: a shorter numerics.time_step may help",
+      data::shortest_text(row.time), data::to_string(row.state), std::abs(row.friction_force),
+      row.sliding_velocity, friction_limit(problem), history.rows_off_law));
 }
 
 // The root of a mode in slip and stick changes its sign where η ω² h = 2, to 1 % for radii from 0.9 to 1.
@@ -393,27 +388,38 @@ void warn_of_alternation(const data::Case& problem, std::vector<std::string>& se
   if (radius == 0.0 || eta == 0.0 || numerics.time_step() <= allowed) return;
   sentences.push_back(
       fmt::format("numerics.spectral_radius is {}: with damping.kelvin_voigt the velocity of the stiffest "
-                  "modes of the mesh is "
-                  "multiplied by -{} in each step longer than {:.2g} s, and the holding force with it, so "
-                  "that the run may "
-                  "invent changes of contact; the radius 0 ends it",
+                  "modes of the mesh is multiplied by -{} in each step longer than {:.2g} s, and the holding "
+                  "force with it, so that the run may invent changes of contact; the radius 0 ends it",
                   data::shortest_text(radius), data::shortest_text(radius), allowed));
 }
 
-void warn_of_close_changes(const data::Case& problem, const History& history,
-                           std::vector<std::string>& sentences) {
-  long close = 0;
-  double first = 0.0;
-  for (std::size_t i = 1; i < history.events.size(); ++i)
-    if (history.events[i].time - history.events[i - 1].time < problem.numerics.time_step() && close++ == 0)
-      first = history.events[i - 1].time;
-  if (close == 0) return;
+// From when on the changes of contact are others; nothing if they are the same.
+std::optional<double> first_difference(const std::vector<data::ContactEvent>& events,
+                                       const std::vector<data::ContactEvent>& other) {
+  const auto [here, there] =
+      std::ranges::mismatch(events, other, {}, &data::ContactEvent::change, &data::ContactEvent::change);
+  if (here == events.end() && there == other.end()) return std::nullopt;
+  if (here == events.end()) return there->time;
+  return there == other.end() ? here->time : std::min(here->time, there->time);
+}
+
+void warn_of_long_steps(const data::Case& problem, const RunChoices& choices, const History& history,
+                        std::vector<std::string>& sentences) {
+  const double step = problem.numerics.time_step(), duration = problem.numerics.duration();
+  if (2.0 * step > duration) return;
+  std::optional<double> time;
+  try {
+    const auto other = finite_element_history(with_value(problem, "numerics.time_step", 2.0 * step),
+                                              {.every = solver::step_count(duration, step)}, choices);
+    time = first_difference(history.events, other.events);
+  } catch (const std::runtime_error&) {  // so long a step cannot follow the law of friction
+    time = history.events.front().time;
+  }
+  if (!time) return;
   sentences.push_back(
-      fmt::format("{} of the {} changes of contact come less than numerics.time_step after the one before, "
-                  "first after t = {} s: "
-                  "a step of {} s cannot tell whether the beam has them",
-                  close, history.events.size(), data::shortest_text(first),
-                  data::shortest_text(problem.numerics.time_step())));
+      fmt::format("numerics.time_step is {} s: with twice the step the changes of contact are others from t "
+                  "= {:.6g} s on; a shorter step tells which ones the beam has",
+                  data::shortest_text(step), *time));
 }
 
 void warn_of_few_modes(const data::Case& problem, const History& history,
@@ -422,37 +428,35 @@ void warn_of_few_modes(const data::Case& problem, const History& history,
   const int modes = problem.numerics.modes(), more = (3 * modes + 1) / 2;
   if (modes > most_modes) return;
   const auto other = event_driven_history(with_value(problem, "numerics.modes", more),
-                                          {.times = {problem.numerics.duration()}})
-                         .events;
-  const auto [here, there] = std::ranges::mismatch(history.events, other, {}, &data::ContactEvent::change,
-                                                   &data::ContactEvent::change);
-  const bool ends = here == history.events.end();
-  if (ends && there == other.end()) return;
-  sentences.push_back(fmt::format(
-      "{} modes: with {} modes the changes of contact are others from t = {:.6g} s on; more numerics.modes "
-      "tell "
-      "which ones the beam has",
-      modes, more,
-      std::min(ends ? there->time : here->time, there == other.end() ? here->time : there->time)));
+                                          {.times = {problem.numerics.duration()}});
+  const auto time = first_difference(history.events, other.events);
+  if (!time) return;
+  sentences.push_back(
+      fmt::format("{} modes: with {} modes the changes of contact are others from t = {:.6g} s on; more "
+                  "numerics.modes tell which ones the beam has",
+                  modes, more, *time));
 }
 
 }  // namespace
 
-std::vector<std::string> warnings_after(const data::Case& problem, Inquiry inquiry, const History& history) {
+void require_no_growth(const data::Case& problem, Inquiry inquiry, const History& history) {
+  if (inquiry != Inquiry::boundary_integral_history || history.events.empty()) return;
+  if (const auto unstable = slip_instability(problem))
+    throw data::FieldError("beam.axial_force", problem.beam.axial_force(),
+                           fmt::format("below {:.4g} N, from which on slip grows without end, for a history "
+                                       "with slip by --method boundary-integral; fe and event-driven take it",
+                                       unstable->load));
+}
+
+std::vector<std::string> warnings_after(const data::Case& problem, Inquiry inquiry, const History& history,
+                                        const RunChoices& choices) {
   std::vector<std::string> sentences;
   for (const Warning& warning : problem_warnings(problem, inquiry)) sentences.push_back(warning.sentence);
   if (inquiry == Inquiry::closed_form_history && history.first_slip)
     sentences.push_back(
         fmt::format("the closed form holds while the tip sticks, but |f| exceeds mu_s P = {} N first at {} "
-                    "s; --method fe "
-                    "and --method event-driven follow the slip",
+                    "s; --method fe and --method event-driven follow the slip",
                     data::shortest_text(friction_limit(problem)), data::shortest_text(*history.first_slip)));
-  if (inquiry == Inquiry::boundary_integral_history && !history.events.empty() &&
-      problem.beam.axial_force() >= analytic::slip_critical_load(problem.beam))
-    sentences.emplace_back(
-        "the weights of the boundary integral do not hold a motion that grows: after the first slip --method "
-        "fe and "
-        "--method event-driven are right");
   warn_of_law(problem, history, sentences);
   if (history.events.empty()) return sentences;
   const bool stepped = inquiry == Inquiry::stepped_history;
@@ -460,7 +464,7 @@ std::vector<std::string> warnings_after(const data::Case& problem, Inquiry inqui
   if (const auto growth = growth_warning(problem, inquiry)) {
     sentences.push_back(growth->sentence);
   } else {
-    if (stepped && problem.contact.is_rigid()) warn_of_close_changes(problem, history, sentences);
+    if (stepped && problem.contact.is_rigid()) warn_of_long_steps(problem, choices, history, sentences);
     if (inquiry == Inquiry::event_driven_history) warn_of_few_modes(problem, history, sentences);
   }
   return sentences;
@@ -488,8 +492,7 @@ std::optional<std::string> row_warning(const data::Case& problem, const Method& 
   if (method.in_time_steps || effect <= allowed_model_error) return std::nullopt;
   return fmt::format(
       "the largest |f|, the largest deflection{} are those of instants {:.3g} s apart, which may miss {} of "
-      "them: a "
-      "shorter numerics.time_step misses less",
+      "them: a shorter numerics.time_step misses less",
       method.inquiry == Inquiry::closed_form_history ? " and the first slip" : "",
       static_cast<double>(look_step) * step, percent(effect));
 }
@@ -501,8 +504,7 @@ std::optional<std::string> fixed_step_warning(const data::Case& problem, double 
   if (step <= longest) return std::nullopt;
   return fmt::format(
       "the steps of {:.2g} s are too long for natural frequency {} at {:.4g} Hz; numerics.time_step = {:.2g} "
-      "s "
-      "follows it to {}",
+      "s follows it to {}",
       step, mode, omega / (2.0 * pi), two_digits(longest), percent(allowed_step_error));
 }
 
@@ -527,8 +529,7 @@ std::optional<std::string> draw_back_warning(const data::Beam& beam, double draw
   if (!(draw_back > allowed_draw_back)) return std::nullopt;
   return fmt::format(
       "the tip draws back from the wall by {:.3g} mm as the beam bends: P = {:.6g} N stays within 10 % only "
-      "if a "
-      "spring softer than {:.3g} N/mm presses the tip, with little mass",
+      "if a spring softer than {:.3g} N/mm presses the tip, with little mass",
       1e3 * draw_back, beam.axial_force(), 1e-3 * spring_that_keeps(beam, draw_back));
 }
 

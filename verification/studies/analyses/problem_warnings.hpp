@@ -108,6 +108,9 @@ constexpr double share_that_matters = 0.01;
 /// The warning that too_few_modes() of the case, if there are.
 [[nodiscard]] std::optional<Warning> few_modes_warning(const data::Case& problem);
 
+/// The warning that mesh_effect() of the case is above allowed_model_error, if it is and the held beam is not buckled.
+[[nodiscard]] std::optional<Warning> coarse_mesh_warning(const data::Case& problem);
+
 /// What shear and rotary inertia change in |f_max| and in the verdict, by the undamped criterion of all modes with
 /// with_shear(), as the end of a sentence. Throws what criterion_with_all_modes() throws.
 [[nodiscard]] std::string shear_effect(const data::Case& problem);
@@ -128,12 +131,16 @@ constexpr double share_that_matters = 0.01;
 /// Throws what the run itself throws.
 [[nodiscard]] std::optional<Warning> growth_warning(const data::Case& problem, Inquiry inquiry);
 
+/// Throws data::FieldError, naming beam.axial_force, for a history by the boundary integral with slip that grows
+/// (slip_instability()): its contour does not enclose the poles of a motion that grows.
+void require_no_growth(const data::Case& problem, Inquiry inquiry, const History& history);
+
 /// The warnings of problem_warnings() for a history that was computed by a method with that inquiry, then
 /// what the changes of contact leave open (an alternating force with Kelvin-Voigt damping and a spectral radius above 0,
-/// growth_warning() or else changes less than a step apart and, event-driven, changes that half as many modes more do not
+/// growth_warning() or else changes that twice the step or, event-driven, half as many modes more do not
 /// find), that rows do not obey the law of friction, and that the closed form does not hold beyond its first slip.
 [[nodiscard]] std::vector<std::string> warnings_after(const data::Case& problem, Inquiry inquiry,
-                                                      const History& history);
+                                                      const History& history, const RunChoices& choices = {});
 
 /// The time steps from look to look at a history whose method takes any times: the longest divisor of the row step, in steps of
 /// 1, 2 and 5, with a row_effect() of at most 1 %; or 1.

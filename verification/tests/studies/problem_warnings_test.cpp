@@ -11,6 +11,7 @@
 #include "stickslip/solver/beam_simulation.hpp"
 #include "studies/analyses/contact_response.hpp"
 #include "studies/analyses/criterion_answer.hpp"
+#include "studies/analyses/criterion_map.hpp"
 #include "studies/analyses/squeal.hpp"
 #include "studies/common/discretisation.hpp"
 #include "studies/common/problem_parameter.hpp"
@@ -441,6 +442,43 @@ TEST(Flutter, HasTheLoadsOfEachDirectionAndOfShear) {
 
 // --- The published cases
 
+// 69 kN is the flutter load. The closed form of the contour holds no motion that grows.
+TEST(Flutter, IsRefusedByTheBoundaryIntegralOnceTheTipSlips) {
+  const auto refusal = [](const char* load, const char* friction, Inquiry inquiry) {
+    const data::Case problem = paper_with({{"beam.axial_direction", "0.35"},
+                                           {"beam.axial_force", load},
+                                           {"friction.static_coefficient", friction},
+                                           {"friction.kinetic_coefficient", "0.005"},
+                                           {"excitation.duration", "0.05"},
+                                           {"numerics.time_step", "1e-3"}});
+    const auto history = studies::boundary_integral_history(problem, {.with_midspan = false}, 4);
+    return error_message_if_any<data::FieldError>(
+        [&] { studies::require_no_growth(problem, inquiry, history); });
+  };
+  const auto method = Inquiry::boundary_integral_history;
+  EXPECT_TRUE(holds(refusal("7e4", "0.01", method).value_or(""), "must be below 6.87e+04 N"));
+  EXPECT_EQ(refusal("6.8e4", "0.01", method), std::nullopt);
+  EXPECT_EQ(refusal("7e4", "0.9", method), std::nullopt);  // it does not slip
+  EXPECT_EQ(refusal("7e4", "0.01", Inquiry::stepped_history), std::nullopt);
+}
+
+STICKSLIP_VERIFIES(LongSteps, "X21");
+// 47 changes; 45 with a step of 2.5e-4 s, 51 with 5e-4 s.
+TEST(LongSteps, AreWarnedOfWhereTwiceTheStepHasOtherChanges) {
+  const auto is_warned = [](const std::vector<data::Override>& step) {
+    const data::Case problem = data::load_case("damped", step);
+    const auto history = studies::finite_element_history(problem);
+    EXPECT_EQ(history.events.size() == 47, step.empty()) << history.events.size();
+    const auto warnings = studies::warnings_after(problem, Inquiry::stepped_history, history);
+    return std::ranges::any_of(warnings, [](const std::string& text) {
+      return holds(text, "with twice the step the changes of contact are others from t = 0.466");
+    });
+  };
+  EXPECT_FALSE(is_warned({}));
+  EXPECT_TRUE(is_warned({{"numerics.time_step", "2.5e-4"}}));
+  EXPECT_TRUE(is_warned({{"numerics.time_step", "5e-4"}}));
+}
+
 STICKSLIP_VERIFIES(ProblemWarnings, "X21");
 // 25 Hz is 0.028 Hz above the first natural frequency: |f| grows for 17.8 s, longer than the run.
 TEST(ProblemWarnings, OfThePapersCaseAreItsResonanceAlone) {
@@ -473,6 +511,17 @@ TEST(ProblemWarnings, OfAMapAreThoseThatItsAxesLeaveAsTheyAre) {
   }
   EXPECT_EQ(concerns({{"beam.axial_force", "1e5"}}, {"excitation.amplitude", "beam.axial_force"}),
             std::vector<Concern>{});
+}
+
+// At the largest values, where they have the worst cell.
+TEST(ProblemWarnings, OfAMapByElementsNameTheMesh) {
+  studies::MapTask task{.problem = paper_with({{"numerics.elements", "2"}}),
+                        .x = studies::map_axis("excitation.frequency_hz", 30.0, 35.0, 2, false),
+                        .y = studies::map_axis("excitation.amplitude", 3e-4, 5e-4, 2, false),
+                        .method = studies::MapMethod::finite_elements};
+  EXPECT_EQ(concerns_of(studies::map_warnings(task)).back(), Concern::coarse_mesh);
+  task.problem = paper_with();
+  EXPECT_EQ(concerns_of(studies::map_warnings(task)), std::vector<Concern>{});
 }
 
 TEST(ProblemWarnings, AreOneSentenceEach) {
