@@ -64,6 +64,7 @@ Answer respond(const RespondOptions& options, Outputs& outputs) {
   if (options.scheme) choices.scheme = studies::contact_schemes().at(*options.scheme);
   if (!options.history.events.empty()) method.require(studies::Feature::slip, "--method", method.name);
   method.require(problem, choices);
+  studies::require_held_growth(problem, method.inquiry);
   outputs.about(problem);
   HistoryOutput output(problem, options.history, outputs);
   outputs.on_interrupt([&] {
@@ -81,7 +82,6 @@ Answer respond(const RespondOptions& options, Outputs& outputs) {
   }
   const auto history =
       method.run(problem, sampling, choices, [&](const studies::HistoryRow& row) { output.add(row, step); });
-  studies::require_no_growth(problem, method.inquiry, history);
   output.finish(history);
   Answer answer = answer_of(problem, options, history, output);
   answer.warnings = studies::warnings_after(problem, method.inquiry, history, choices);

@@ -422,6 +422,20 @@ void warn_of_long_steps(const data::Case& problem, const RunChoices& choices, co
                   data::shortest_text(step), *time));
 }
 
+// Next to a turn the boundary integral may have a single step of slip between two of stick.
+void warn_of_single_steps(const data::Case& problem, const History& history,
+                          std::vector<std::string>& sentences) {
+  const double step = boundary_integral_step(problem);
+  const auto close = std::ranges::adjacent_find(
+      history.events, [step](const auto& a, const auto& b) { return b.time - a.time < 1.5 * step; });
+  if (close == history.events.end()) return;
+  sentences.push_back(
+      fmt::format("from t = {:.6g} s on changes of contact follow each other within a step of {:.3g} s, and "
+                  "need not be those of "
+                  "the beam; a shorter numerics.time_step tells which ones it has",
+                  close->time, step));
+}
+
 void warn_of_few_modes(const data::Case& problem, const History& history,
                        std::vector<std::string>& sentences) {
   constexpr int most_modes = 40;  // more take long
@@ -439,13 +453,16 @@ void warn_of_few_modes(const data::Case& problem, const History& history,
 
 }  // namespace
 
-void require_no_growth(const data::Case& problem, Inquiry inquiry, const History& history) {
-  if (inquiry != Inquiry::boundary_integral_history || history.events.empty()) return;
-  if (const auto unstable = slip_instability(problem))
-    throw data::FieldError("beam.axial_force", problem.beam.axial_force(),
-                           fmt::format("below {:.4g} N, from which on slip grows without end, for a history "
-                                       "with slip by --method boundary-integral; fe and event-driven take it",
-                                       unstable->load));
+void require_held_growth(const data::Case& problem, Inquiry inquiry) {
+  constexpr double held = 7.4;  // exp(2 (held - 12.01)) = 1e-4
+  if (inquiry != Inquiry::boundary_integral_history) return;
+  const auto unstable = slip_instability(problem);
+  if (!unstable || unstable->root.real() * problem.numerics.duration() <= held) return;
+  throw data::FieldError("excitation.duration", problem.numerics.duration(),
+                         fmt::format("at most {:.3g} s for --method boundary-integral, which holds no motion "
+                                     "that grows for longer, as slip does from "
+                                     "beam.axial_force = {:.4g} N on; fe and event-driven take it",
+                                     held / unstable->root.real(), unstable->load));
 }
 
 std::vector<std::string> warnings_after(const data::Case& problem, Inquiry inquiry, const History& history,
@@ -465,6 +482,7 @@ std::vector<std::string> warnings_after(const data::Case& problem, Inquiry inqui
     sentences.push_back(growth->sentence);
   } else {
     if (stepped && problem.contact.is_rigid()) warn_of_long_steps(problem, choices, history, sentences);
+    if (inquiry == Inquiry::boundary_integral_history) warn_of_single_steps(problem, history, sentences);
     if (inquiry == Inquiry::event_driven_history) warn_of_few_modes(problem, history, sentences);
   }
   return sentences;

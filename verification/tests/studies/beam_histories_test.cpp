@@ -78,28 +78,6 @@ TEST(BeamBoundaryIntegral, HoldingForceOfADampedBeamIsTheClosedForm) {
   }
 }
 
-TEST(BeamBoundaryIntegral, HasAllEventsOfTheDampedBenchmark) {
-  // Times fall on steps, and the velocity behind an event is off by the force of one step, 2 mu_s P h/m with
-  // the mass rho A L/4 of a mode, 120 h m/s; stops decelerate at 40 m/s^2 or more. The event-driven history
-  // of twenty modes is known to 1e-6 s and 2e-8 m.
-  const double h = 2e-5;
-  const data::Case problem = damped_problem(25.0);
-  const analytic::BeamContactModel modes(problem, 20);
-  const auto events =
-      studies::without_micro_sticks(studies::event_driven_history(modes.model(), {0.5}).events, 2e-5);
-  const BeamBoundaryIntegral beam(problem, {h, 25000});
-  const auto found = studies::without_micro_sticks(studies::events_between(beam.steps(), h), 2e-5);
-  ASSERT_EQ(events.size(), 47u);
-  ASSERT_EQ(found.size(), 47u);
-  for (std::size_t i = 0; i < events.size(); ++i) {
-    EXPECT_EQ(found[i].change, events[i].change);
-    EXPECT_TRUE(within(found[i].time, events[i].time,
-                       discretisation(4.1 * h, 1.0, "a step, 120 h over 40 m/s^2, 1e-6 s")));
-    EXPECT_TRUE(within(found[i].position, events[i].position,
-                       discretisation(120.0 * h * 0.02, 1.0, "120 h over a slip of 20 ms")));
-  }
-}
-
 TEST(BeamBoundaryIntegral, RecoversTheTipAndTheMotionOfTheFreeModes) {
   // The motion of the beam at x by the transfer mobility; at the tip it is the integral of the sliding
   // velocities, to the accuracy of the weights times the number of steps. Free modes share neither kernel nor

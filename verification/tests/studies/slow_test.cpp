@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What takes minutes: data sets that are made again, a fine mesh against the undamped histories, and a step with
-/// a thousand changes of contact.
+/// What takes minutes: data sets that are made again, and a fine mesh against the undamped histories.
 
 #include "comparison/comparison.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
@@ -53,20 +52,6 @@ TEST_P(ComparedUndampedLong, FineMeshWithSpectralRadiusZeroAgrees) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Hz, ComparedUndampedLong, ::testing::Values(25, 35, 70));
-
-STICKSLIP_VERIFIES(ContactChatterLong, "X10");
-// Damped modes that relax within a step ring on at spectral radius 1 and shake the contact.
-TEST(ContactChatterLong, StopsTheRunWithItsReason) {
-  data::NumericalChoices choices = paper_choices(0.2);
-  choices.elements = 160;
-  choices.spectral_radius = 1.0;
-  choices.time_step = 1e-3;
-  solver::BeamSimulation run(with(damped_problem(25.0), data::NumericalSettings(choices)));
-  const auto finish = [&run] {
-    while (run.time() < 0.2) run.step();
-  };
-  expect_error_message<std::runtime_error>(finish, {"the contact chatters"});
-}
 
 }  // namespace
 }  // namespace stickslip::testing
