@@ -205,7 +205,7 @@ class ForceMaximum::Search {
     const double scale = std::max(first_look(), enough_);
     if (lower_ > too_much_) return;
     const double excess = kGridExcess * scale;
-    const std::size_t terms = cheapest_terms(excess), all = force_.sinusoids_.size();
+    const std::size_t terms = cheapest_terms(excess);
     const double step = std::sqrt(8.0 * (excess - truncation(terms).rest) / truncation(terms).curvature);
     const double count = std::ceil(force_.duration_ / step);
     if (!(count <= kMostGridPoints))
@@ -234,23 +234,30 @@ class ForceMaximum::Search {
         turns_ = 0;
         continue;
       }
-      if (depths_.empty()) deepen();
-      tabulate_to(all, h);
-      to_block((static_cast<double>(first) + 0.5) * h);
-      double low = most_to_drop() - chord - uncertainty;
-      for (std::size_t i = first; i < last; ++i) {
-        double top = 0.0;
-        for (; i < last && (top = std::max(ends_[i], ends_[i + 1])) <= low; ++i)
-          dropped = std::max(dropped, top);
-        if (i == last) break;
-        column_ = i - first;
-        turn_from_start(0, depths_.front().terms);
-        settle((static_cast<double>(i) + 0.5) * h, 0);
-        if (lower_ > too_much_) return;
-        low = most_to_drop() - chord - uncertainty;
-      }
+      dropped = std::max(dropped, divide_block(first, last, h, chord, uncertainty));
+      if (lower_ > too_much_) return;
     }
     upper_ = std::max(upper_, dropped + chord + uncertainty);
+  }
+
+  /// Divides the pieces of a block that their chords do not drop; returns the highest end of the others.
+  double divide_block(std::size_t first, std::size_t last, double h, double chord, double uncertainty) {
+    if (depths_.empty()) deepen();
+    tabulate_to(force_.sinusoids_.size(), h);
+    to_block((static_cast<double>(first) + 0.5) * h);
+    double low = most_to_drop() - chord - uncertainty, dropped = 0.0;
+    for (std::size_t i = first; i < last; ++i) {
+      double top = 0.0;
+      for (; i < last && (top = std::max(ends_[i], ends_[i + 1])) <= low; ++i)
+        dropped = std::max(dropped, top);
+      if (i == last) break;
+      column_ = i - first;
+      turn_from_start(0, depths_.front().terms);
+      settle((static_cast<double>(i) + 0.5) * h, 0);
+      if (lower_ > too_much_) break;
+      low = most_to_drop() - chord - uncertainty;
+    }
+    return dropped;
   }
 
   /// The phases of a piece of the grid, from those at the start of its block.

@@ -265,12 +265,38 @@ class Search {
 
   // --- wrong numbers in the problem of a mass
 
-  [[nodiscard]] Candidates mass_numbers(const Question& question) const {
-    Numbers numbers = numbers_of_mass(reference_.resource, question.group.group);
-    if (numbers.empty()) return {};
+  [[nodiscard]] Candidates common_factor(const Question& question) const {
     Candidates multiple = relations(question);
     if (multiple.empty()) multiple = relations_in_sequence(question);
     std::erase_if(multiple, [](const Hypothesis& one) { return one.name != "constant-factor"; });
+    return multiple;
+  }
+
+  // Each number that is not 0, times usual factors and those from 1/2 to 2.
+  template <class Function>
+  [[nodiscard]] std::vector<FreeNumber> one_of(const Numbers& numbers, const Function& result_of) const {
+    std::vector<double> factors{-1.0, 0.0, 0.1, 0.25, 0.98, 0.99, 1.01, 1.02, 4.0, 10.0};
+    for (int k = -18; k <= 18; ++k) factors.push_back(std::exp2(k / 18.0));
+    std::ranges::sort(factors);
+    std::vector<FreeNumber> free;
+    for (const auto& [key, value] : numbers)
+      if (value != 0.0)
+        free.push_back({factors,
+                        [&, key = key](double factor) {
+                          Numbers changed = numbers;
+                          changed[key] *= factor;
+                          return result_of(changed);
+                        },
+                        [this, key = key, value = value](double factor) {
+                          return "like " + wrong_value(key, value, factor);
+                        }});
+    return free;
+  }
+
+  [[nodiscard]] Candidates mass_numbers(const Question& question) const {
+    Numbers numbers = numbers_of_mass(reference_.resource, question.group.group);
+    if (numbers.empty()) return {};
+    const Candidates multiple = common_factor(question);
     if (!multiple.empty() && multiple[0].free == 0) return {};  // a factor that is usual needs no number
     ComparedValues values = question.values;
     values.theirs.clear(), values.reference.clear();
@@ -307,22 +333,7 @@ class Search {
       }
       return std::optional(all);
     };
-    std::vector<double> factors{-1.0, 0.0, 0.1, 0.25, 0.98, 0.99, 1.01, 1.02, 4.0, 10.0};
-    for (int k = -18; k <= 18; ++k) factors.push_back(std::exp2(k / 18.0));
-    std::ranges::sort(factors);
-    std::vector<FreeNumber> free;
-    for (const auto& [key, value] : numbers)
-      if (value != 0.0)
-        free.push_back({factors,
-                        [&, key = key](double factor) {
-                          Numbers changed = numbers;
-                          changed[key] *= factor;
-                          return result_of(changed);
-                        },
-                        [this, key = key, value = value](double factor) {
-                          return "like " + wrong_value(key, value, factor);
-                        }});
-    auto found = wrong_number(values, 0.5 * question.quantity.tolerance, free);
+    auto found = wrong_number(values, 0.5 * question.quantity.tolerance, one_of(numbers, result_of));
     if (found && !multiple.empty()) found->sentence = multiple[0].sentence + ", " + found->sentence;
     return all_of(std::move(found));
   }
@@ -353,7 +364,7 @@ class Search {
     const double halved = *quantity == Quantity::critical_amplitude && !is_force_ratio() ? 2.0 : 0.5;
     for (const auto& [name, factor] : {std::pair{"force-sign", -1.0}, {"peak-to-peak-amplitude", halved}}) {
       const bool is_multiple = std::ranges::equal(found.values, question.values.reference, {}, {},
-                                                  [&](double x) { return factor * x; });
+                                                  [&, factor = factor](double x) { return factor * x; });
       if (is_multiple && std::ranges::count(wrong_model_named(name).changes, *quantity) > 0)
         names.emplace_back(name);
     }

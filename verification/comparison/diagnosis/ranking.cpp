@@ -159,7 +159,8 @@ Diagnosis diagnose(const ModelResults& results, const Values& values, const Valu
   for (Hypothesis& one : diagnosis.ranked) one.distance = distance(norm, reference, values, one.values);
   std::ranges::stable_sort(diagnosis.ranked, {}, &Hypothesis::distance);
 
-  const auto name_indistinguishable_from = [&](const Values& model, double least_change) {
+  const auto name_indistinguishable_from = [&, norm = norm, &reference = reference](const Values& model,
+                                                                                    double least_change) {
     for (const Hypothesis& one : diagnosis.ranked)
       if (one.from_reference > least_change &&
           distance(norm, reference, one.values, model) <= 2.0 * diagnosis.uncertainty)

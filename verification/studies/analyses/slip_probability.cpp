@@ -224,6 +224,20 @@ analytic::Criterion criterion_of_all_modes(const data::Case& problem) {
   return criterion_with_all_modes(problem, force_width, true);
 }
 
+// The verdict on a sample; where all have one force, that is computed once.
+auto judge_of_all_modes(const data::Case& problem, const data::Uncertainty& uncertainty,
+                        const Verdicts& verdicts) {
+  std::optional<analytic::Bounds> force;
+  if (verdicts.have_one_force()) force = criterion_of_all_modes(problem).force_max;
+  return [&problem, &uncertainty, force](std::span<const double> values) {
+    const data::Case sample = studies::case_at(problem, uncertainty.keys, values);
+    const double ratio = sample.excitation.amplitude() / problem.excitation.amplitude();
+    const Verdict known =
+        force ? analytic::verdict_of(ratio * *force, friction_limit(sample)) : Verdict::undecided;
+    return known == Verdict::undecided ? criterion_of_all_modes(sample).verdict : known;
+  };
+}
+
 SlipUncertainty::AllModes all_modes_of(const std::vector<std::optional<SampleResult>>& truncated,
                                        const std::vector<std::optional<Verdict>>& verdicts) {
   SlipUncertainty::AllModes all;
@@ -276,6 +290,26 @@ std::size_t decisive_key(const SlipUncertainty& result) {
   const auto largest =
       std::ranges::max_element(indices, {}, [](const auto& index) { return index.total.value; });
   return static_cast<std::size_t>(largest - indices.begin());
+}
+
+// Which key to tighten, and where that does not help, what to change.
+void add_advice(SlipUncertainty& result, const data::Case& problem, const data::Uncertainty& uncertainty,
+                const SlipSampling& sampling, const Verdicts& verdicts, const JointDistribution& joint,
+                const std::function<void(double)>& progress) {
+  result.decisive = decisive_key(result);
+  std::vector<double> spreads(joint.size(), 1.0);
+  spreads[result.decisive] = 0.5;
+  const Count halved = count_samples(verdicts, joint, sampling, spreads, progress);
+  if (halved.valid > 0) result.probability_with_half_spread = probability_of(halved.slips, halved.valid);
+  result.tightening_helps = result.probability_with_half_spread.value < result.probability_of_slip.value;
+  if (result.tightening_helps || result.slips == 0) return;
+  result.best_change = best_change(problem, [&](std::string_view key, double value) {
+    return result_or_reason([&] {
+      const data::Case changed =
+          sampling.remake ? sampling.remake(key, value) : with_value(problem, key, value);
+      return Verdicts(stated_as(changed, uncertainty), {}, sampling.band).nominal_margin();
+    });
+  });
 }
 
 void require_answerable(const data::Case& problem, const data::Uncertainty& uncertainty,
@@ -385,15 +419,7 @@ SlipUncertainty slip_uncertainty(const data::Case& given, const data::Uncertaint
                                   [&](std::span<const double> values) { return verdicts.at(values); });
   add_quantiles(result, samples);
   if (has_all_modes) {
-    std::optional<analytic::Bounds> force;
-    if (verdicts.have_one_force()) force = criterion_of_all_modes(problem).force_max;
-    const auto judge = [&](std::span<const double> values) {
-      const data::Case sample = case_at(problem, uncertainty.keys, values);
-      const double ratio = sample.excitation.amplitude() / problem.excitation.amplitude();
-      const Verdict known =
-          force ? analytic::verdict_of(ratio * *force, friction_limit(sample)) : Verdict::undecided;
-      return known == Verdict::undecided ? criterion_of_all_modes(sample).verdict : known;
-    };
+    const auto judge = judge_of_all_modes(problem, uncertainty, verdicts);
     result.all_modes =
         all_modes_of(samples, results_of(all_modes, joint, sampling, part(all_modes_work), judge));
   }
@@ -404,20 +430,7 @@ SlipUncertainty slip_uncertainty(const data::Case& given, const data::Uncertaint
           return result_or_reason([&] { return std::log(verdicts.at(joint.at(u)).margin); });
         },
         joint.size(), rows, sampling.seed, part(index_work));
-  result.decisive = decisive_key(result);
-  std::vector<double> spreads(joint.size(), 1.0);
-  spreads[result.decisive] = 0.5;
-  const Count halved = count_samples(verdicts, joint, sampling, spreads, part(draws));
-  if (halved.valid > 0) result.probability_with_half_spread = probability_of(halved.slips, halved.valid);
-  result.tightening_helps = result.probability_with_half_spread.value < result.probability_of_slip.value;
-  if (!result.tightening_helps && result.slips > 0)
-    result.best_change = best_change(problem, [&](std::string_view key, double value) {
-      return result_or_reason([&] {
-        const data::Case changed =
-            sampling.remake ? sampling.remake(key, value) : with_value(problem, key, value);
-        return Verdicts(stated_as(changed, uncertainty), {}, sampling.band).nominal_margin();
-      });
-    });
+  add_advice(result, problem, uncertainty, sampling, verdicts, joint, part(draws));
   return result;
 }
 

@@ -87,7 +87,7 @@ std::vector<ForceLine> force_surface(double friction_limit,
   std::vector<ForceLine> surface;
   for (const auto& [hz, critical_amplitude] : criterion) {
     const bool near_resonance = std::ranges::any_of(
-        natural_frequencies, [&](double natural) { return std::abs(hz - natural) < 2.0; });
+        natural_frequencies, [&, hz = hz](double natural) { return std::abs(hz - natural) < 2.0; });
     const double step = near_resonance ? 0.25 : 1.0;
     if (std::abs(hz - step * std::round(hz / step)) > 1e-9) continue;
     ForceLine line{.frequency_hz = hz, .amplitude = {}, .force_max = {}};

@@ -206,8 +206,8 @@ TEST_F(CommandLine, JudgesSeveralCasesAndAPlanOfPointsInOneTable) {
   const auto rows = csv(contents("table.csv"));
   ASSERT_EQ(rows.size(), 5U);
   EXPECT_EQ(rows[0][1], "beam.length");
-  for (const auto& [row, arguments] : {std::pair{1, "steel-strip --set beam.length=0.4 --amplitude 5e-4"},
-                                       {4, "paper --set beam.length=0.3 --amplitude 1e-3"}}) {
+  for (const auto& [row, arguments] : {std::pair{1U, "steel-strip --set beam.length=0.4 --amplitude 5e-4"},
+                                       {4U, "paper --set beam.length=0.3 --amplitude 1e-3"}}) {
     const auto one = json(std::string("criterion --hz 30 ") + arguments);
     const auto cell = [&, row = row](const std::string& name) {
       return rows[row].at(static_cast<std::size_t>(std::ranges::find(rows[0], name) - rows[0].begin()));

@@ -248,7 +248,9 @@ TEST(HistorySpectrum, HasTheAmplitudesOfOtherPeriods) {
     }
     const auto spectrum = studies::spectrum_of(tip, tip, {2000, periods}, 1e-3);
     EXPECT_TRUE(spectrum.is_flat_top);
-    const auto line = [&](double at) { return spectrum.lines[std::lround(at)].tip_displacement; };
+    const auto line = [&](double at) {
+      return spectrum.lines[static_cast<std::size_t>(std::lround(at))].tip_displacement;
+    };
     EXPECT_NEAR(line(other), amplitude, 1e-3 * amplitude) << other;
     EXPECT_NEAR(line(0.0), 3.0, 1e-3 * (1.0 + amplitude)) << other;
     if (periods > 0) {

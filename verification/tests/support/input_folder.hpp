@@ -12,6 +12,8 @@ namespace stickslip::testing {
 /// A folder for the files that a test reads.
 class InputFolder : public data::TemporaryFolder {
  public:
+  InputFolder() {}  // clang takes no constant with a defaulted one
+
   /// Writes a file of this name, or replaces it, and returns its path.
   std::filesystem::path write(const std::string& name, const std::string& text) const {
     std::ofstream(path() / name, std::ios::binary) << text;
