@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # shellcheck shell=bash
-# Sourced by reports/generate and verification/run: installs the Debian packages that are missing.
+# Sourced by the scripts that build: installs the Debian packages that are missing, and keeps the build folder for one run.
 
 # What both need to configure and build.
 # shellcheck disable=SC2034
@@ -30,6 +30,24 @@ export CMAKE_BUILD_PARALLEL_LEVEL
 fail() {
   echo "$(basename "$0"): $*" >&2
   exit 2
+}
+
+# git_here ARGUMENT...: git, asked of this tree alone. A repository above it may be somebody else's, and its configuration names programs
+# that git runs.
+git_here() { git --git-dir=.git --work-tree=. "$@"; }
+
+# Keeps build/release for this run and what it starts. Another run waits; a place where the build cannot be made is refused.
+claim_build_folder() {
+  [[ "$PWD" != *[\"#\;\\[]* ]] || fail "the path $PWD holds one of \" # ; \\ [, but must hold none of them, since CMake takes it apart"
+  mkdir -p build/release 2>/dev/null && touch build/release/.lock 2>/dev/null || fail "$PWD/build/release cannot be written, but must be"
+  exec {build_lock}>>build/release/.lock
+  if ! flock --nonblock "$build_lock"; then
+    say "Another run works in build/release; this one waits for its end."
+    flock "$build_lock"
+  fi
+  local made_in
+  made_in=$(sed -n 's/^CMAKE_HOME_DIRECTORY:INTERNAL=//p' build/release/CMakeCache.txt 2>/dev/null) || return 0
+  [[ -z "$made_in" || "$made_in" -ef . ]] || fail "build/release was made in $made_in, which is not this folder; remove it: rm -r $PWD/build/release"
 }
 
 # say TEXT...: what is being done now, with the time.

@@ -3,10 +3,10 @@
 # -D HEADER=... -P write_version.cmake. The header is touched only when its text changes.
 set(STICKSLIP_COMMIT "unknown")
 find_program(GIT git)
-if(GIT AND EXISTS "${SOURCE_DIR}/.git")
-  # safe.directory: a checkout mounted into a container belongs to another user there.
+if(GIT)
+  # Asked of this tree alone, which belongs to another user where it is mounted into a container. A repository above it is not looked at.
   execute_process(
-    COMMAND ${GIT} -c safe.directory=${SOURCE_DIR} describe --always --dirty --abbrev=12 --exclude=*
+    COMMAND ${GIT} --git-dir=.git --work-tree=. describe --always --dirty --abbrev=12 --exclude=*
     WORKING_DIRECTORY ${SOURCE_DIR}
     RESULT_VARIABLE result
     OUTPUT_VARIABLE described

@@ -13,17 +13,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// One sentence that names the file.
+void expect_failure(const Outcome& outcome, int status, const std::string& name, const std::string& reason) {
+  EXPECT_EQ(outcome.status, status) << outcome.errors;
+  EXPECT_EQ(std::ranges::count(outcome.errors, '\n'), 1) << outcome.errors;
+  EXPECT_TRUE(holds(outcome.errors, name));
+  EXPECT_TRUE(holds(outcome.errors, reason));
+}
+
 class Fault : public SignalledRun {
  protected:
-  // One sentence that names the file.
-  void expect_failure(const Outcome& outcome, int status, const std::string& name,
-                      const std::string& reason) const {
-    EXPECT_EQ(outcome.status, status) << outcome.errors;
-    EXPECT_EQ(std::ranges::count(outcome.errors, '\n'), 1) << outcome.errors;
-    EXPECT_TRUE(holds(outcome.errors, name));
-    EXPECT_TRUE(holds(outcome.errors, reason));
-  }
-
   static inline const std::string history =
       "respond paper --hz 25 --amplitude 1e-3 --duration 0.3";  // 400 kB
 };
@@ -231,6 +230,63 @@ TEST_F(Interrupted, HistoryThatIsDrawnIsWrittenAndEndsGnuplot) {
     EXPECT_EQ(said_after(signal, "respond --duration 0.1 " + files, true),
               "interrupted; nothing is written but out/history.csv and out/events.csv\n");
     EXPECT_EQ(all_files("out/"), (std::vector<std::string>{"events.csv", "history.csv"}));
+  }
+}
+
+// The two commands of the README in a folder "tree", with programs that do nothing in place of those that install, build and test.
+class Scripts : public Drawing {
+ protected:
+  void SetUp() override {
+    Drawing::SetUp();
+    for (const std::string tool : {"cmake", "apt-get", "ctest"}) install_tool(tool, "");
+    install_tool("dpkg-query", "echo installed\n");
+    for (const fs::path file : {".ci/setup.sh", "verification/run", "reports/generate"}) {
+      fs::create_directories(("tree" / file).parent_path());
+      fs::copy_file(STICKSLIP_SOURCE_DIRECTORY / file, "tree" / file);
+    }
+  }
+
+  void expect_refused_in(const std::string& tree, const std::string& reason) const {
+    for (const std::string script : {"/verification/run", "/reports/generate --quick"})
+      expect_failure(shell("'" + tree + "'" + script), 2, tree, reason);
+  }
+};
+
+STICKSLIP_VERIFIES(Scripts, "U12");
+TEST_F(Scripts, AskGitOfTheirOwnTreeAlone) {
+  if (shell("git --version").status != 0) GTEST_SKIP() << "git is not installed";
+  const std::string commit = "git init -q && git add . && git -c user.name=a -c user.email=a commit -qm x ";
+  ASSERT_EQ(shell(commit + "&& git config core.fsmonitor 'touch " + path("executed") + "; false'").status, 0);
+  EXPECT_EQ(shell("tree/verification/run --label unit").errors, "");
+  EXPECT_EQ(contents("tree/build/release/test-results/commit"), "unknown\n");
+  EXPECT_FALSE(fs::exists("executed"));
+  const std::string own = shell("cd tree && { " + commit + "; } && git rev-parse --short=12 HEAD").output;
+  EXPECT_EQ(shell("tree/verification/run").status, 0);
+  EXPECT_EQ(contents("tree/build/release/test-results/commit"), own);
+}
+
+TEST_F(Scripts, WaitForAnotherRunInTheirBuildFolder) {
+  install_tool("cmake", "echo second >>" + path("order") + "\n");
+  EXPECT_EQ(shell("mkdir -p tree/build/release; exec 9>>tree/build/release/.lock; flock 9\n"
+                  "tree/verification/run >said 9>&- & for i in $(seq 200); do grep -qs waits said && break; "
+                  "sleep 0.05; done; echo first >>order; exec 9>&-; wait; grep -q waits said")
+                .status,
+            0);
+  EXPECT_TRUE(contents("order").starts_with("first\nsecond\n"));
+}
+
+TEST_F(Scripts, RefuseAPlaceThatCannotBeBuilt) {
+  EXPECT_TRUE(holds(shell("tree/reports/generate --quick extra").errors, "unknown argument 'extra'"));
+  std::ofstream("tree/build") << "in the way";
+  expect_refused_in("tree", "cannot be written");
+  fs::remove("tree/build");
+  fs::create_directories("tree/build/release");
+  std::ofstream("tree/build/release/CMakeCache.txt") << "CMAKE_HOME_DIRECTORY:INTERNAL=/elsewhere\n";
+  expect_refused_in("tree", "rm -r");
+  std::string old = "tree";
+  for (const std::string name : {"a\"", "a#", "a;", "a\\", "a["}) {
+    fs::rename(std::exchange(old, name), name);
+    expect_refused_in(name, "must hold none of them");
   }
 }
 
