@@ -18,6 +18,10 @@ figure_packages=(gnuplot-nox fonts-dejavu-core)
 # shellcheck disable=SC2034
 fuzz_packages=(clang libclang-rt-14-dev)
 
+# What the CI needs besides.
+# shellcheck disable=SC2034
+check_packages=(clang clang-tidy gcovr dpkg-dev)
+
 # What the tests need besides: their framework, what typesets the manual page, what checks the traceability, fills in the templates of the
 # report, and tests the Python package.
 # shellcheck disable=SC2034
