@@ -21,6 +21,7 @@ ratio to stickslip with default settings on the same problem, measured just befo
 """
 
 import argparse
+import base64
 import csv
 import datetime
 import hashlib
@@ -108,13 +109,16 @@ def enter(output, *command):
     return ["unshare", "--mount", "--pid", "--fork", "--kill-child", "sh", "-c", ENTER, "sh", DEBIAN, ROOT, output, *command]
 
 
-def install(packages, npm=""):
-    """Installs packages of Debian 12, and one of npm, in the folder of the peers; the return value is the version of the latter or of the first."""
+def install(packages, npm="", version="", sha512=""):
+    """Installs packages of Debian 12, and one of npm, in the folder of the peers; the return value is the version of the latter or of the first.
+
+    Of npm it is the archive of that version and digest. It is unpacked: nothing in it runs, and nothing that it depends on comes with it.
+    """
     if not (DEBIAN / ".complete").exists():
         say(f"peers: making {DEBIAN}")
         if os.geteuid() != 0:
             raise CannotRun("only root can make a folder with another Debian and run programs in it")
-        execute(["debootstrap", "--variant=minbase", "bookworm", DEBIAN, MIRROR], "debootstrap")
+        execute(["debootstrap", "--force-check-gpg", "--variant=minbase", "bookworm", DEBIAN, MIRROR], "debootstrap")
         (DEBIAN / ".complete").touch()
     status = (DEBIAN / "var/lib/dpkg/status").read_text()
     installed = {}
@@ -126,12 +130,17 @@ def install(packages, npm=""):
         say(f"peers: installing {' '.join(packages)}")
         execute(enter(WORK, "apt-get", "--quiet", "update"), "apt-get")
         execute(enter(WORK, "apt-get", "--quiet", "--yes", "--no-install-recommends", "install", *packages), "apt-get")
-        return install(packages, npm)
+        return install(packages, npm, version, sha512)
     if npm:
         module = DEBIAN / "node_modules" / npm / "package.json"
-        if not module.exists():
-            execute(["npm", "install", "--silent", "--prefix", DEBIAN, npm], "npm")
-        return json.loads(module.read_text())["version"]
+        if not module.exists() or json.loads(module.read_text())["version"] != version:
+            execute(["npm", "pack", "--silent", "--ignore-scripts", "--pack-destination", WORK, f"{npm}@{version}"], "npm")
+            archive = WORK / f"{npm.strip('@').replace('/', '-')}-{version}.tgz"
+            if base64.b64encode(hashlib.sha512(archive.read_bytes()).digest()).decode() != sha512:
+                raise CannotRun(f"npm: the archive {archive.name} is another one than that of peers.toml")
+            module.parent.mkdir(parents=True, exist_ok=True)
+            execute(["tar", "-xzf", archive, "-C", module.parent, "--strip-components=1", "--no-same-owner"], "tar")
+        return version
     return installed[packages[0]].split(":")[-1].split("+")[0].split("-")[0]
 
 
@@ -239,7 +248,7 @@ def row_of(peer, run, problem, ours):
                                          "verdict": "not run"}
     try:
         if peer["packages"]:
-            row["version"] = install(peer["packages"], peer.get("npm", ""))
+            row["version"] = install(peer["packages"], peer.get("npm", ""), **peer.get("npm_archive", {}))
         if peer["code"] == "stickslip":
             row["version"] = subprocess.run([PROGRAM, "--version"], capture_output=True, text=True).stdout.split()[1]
         if "cannot" in run:
