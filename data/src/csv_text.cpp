@@ -49,7 +49,7 @@ struct Cell {
 };
 
 std::optional<Cell> cell_at(std::string_view line, std::size_t at, char separator) {
-  while (at < line.size() && (line[at] == ' ' || (separator == blank && line[at] == '\t'))) ++at;
+  while (at < line.size() && (line[at] == ' ' || (separator != '\t' && line[at] == '\t'))) ++at;
   if (at == line.size() || line[at] != '"') {
     const std::size_t end = end_of_cell(line, at, separator);
     return Cell{std::string(trimmed(line.substr(at, end - at))), end};
@@ -142,6 +142,8 @@ std::string decompressed(const std::string& file, std::string text) {
     stream.avail_out = chunk;
     state = inflate(&stream, Z_NO_FLUSH);
     plain.resize(before + chunk - stream.avail_out);
+    for (; state == Z_STREAM_END && stream.avail_in > 0 && *stream.next_in == 0; --stream.avail_in)
+      ++stream.next_in;  // zeros that fill up a block
     if (state == Z_STREAM_END && stream.avail_in > 0) state = inflateReset(&stream);
   }
   if (plain.size() > largest_table)
@@ -179,8 +181,8 @@ CsvReader::CsvReader(std::filesystem::path file, std::string_view text, Cells na
   find_names(*first, comments);
   for (const std::string& name : names_)
     if (has_foreign_letter(name))
-      throw InputError(place(line_of_names_) + ": the name of a column, " + printable(name) +
-                       ", is no text in UTF-8 (Latin-1?), but must be");
+      throw InputError(place(line_of_names_) +
+                       ": the name of a column is no text in UTF-8 (Latin-1?), but must be");
   if (separator_ != blank || !held_) return;
   if (const auto row = cells_of(*held_, separator_); row.size() == names_.size() + 1)
     names_.insert(names_.begin(), "");
@@ -199,6 +201,7 @@ void CsvReader::find_names(const Line& first, const std::vector<Line>& comments)
     std::vector<std::pair<std::size_t, Cells>> candidates;
     for (const Line& comment : comments) {
       const Line line{comment_text(comment.text), comment.number};
+      if (line.text.empty()) continue;
       Cells names = names_in(line, separator_of(line.text));
       if (names.size() == cells.size()) candidates.emplace_back(line.number, std::move(names));
     }
@@ -278,9 +281,7 @@ CsvReader::Cells CsvReader::cells_of(const Line& line, char separator) const {
   Cells cells;
   for (std::size_t at = 0;; ++at) {
     const auto cell = cell_at(text, at, separator);
-    if (!cell)
-      throw InputError(place(line.number) +
-                       ": a quote is not closed, or something follows it: " + printable(line.text));
+    if (!cell) throw InputError(place(line.number) + ": a quote is not closed, or something follows it");
     cells.push_back(cell->text);
     at = cell->end;
     if (at == text.size()) return cells;

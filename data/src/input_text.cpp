@@ -123,6 +123,10 @@ std::string suggestion(std::string_view word, const std::vector<std::string>& na
   return is_near ? " (did you mean " + *nearest + "?)" : "";
 }
 
+bool is_inside(const std::filesystem::path& file) {
+  return !file.is_absolute() && file != "-" && std::ranges::find(file, "..") == file.end();
+}
+
 std::string sha256(std::string_view bytes) {
   std::array<unsigned char, 32> digest{};
   if (::EVP_Digest(bytes.data(), bytes.size(), digest.data(), nullptr, ::EVP_sha256(), nullptr) != 1)

@@ -226,8 +226,7 @@ void require_word(const JsonNode& node, const std::string& key, const std::strin
 
 Resource resource_of(const JsonNode& node) {
   Resource resource = read_description(node);
-  if (resource.path.is_absolute() || std::ranges::count(resource.path, std::filesystem::path("..")) > 0)
-    node.at("path").fail_unless("a path inside the folder of the package");
+  if (!is_inside(resource.path)) node.at("path").fail_unless("a path inside the folder of the package");
   check_schema(node.at("schema"), resource);
   if (const auto problem = node.find("problem")) {
     require_problem(*problem, resource);

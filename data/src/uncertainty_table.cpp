@@ -111,9 +111,13 @@ class DistributionReader {
   [[nodiscard]] Distribution values_of(const Kind& kind) const {
     Distribution result{.kind = kind.kind};
     for (std::size_t i = 0; i < kind.numbers.size(); ++i) result.*kind.numbers[i] = number(kind.keys[i]);
-    if (kind.kind == DistributionKind::samples)
+    if (kind.kind == DistributionKind::samples) {
+      const Path samples = text("file");
+      if (!is_inside(samples))
+        fail(item("file") + " is " + printable(samples.string()), "a path inside the folder of the case");
       result.samples =
-          column((file_.has_parent_path() ? file_.parent_path() : ".") / text("file"), text("column"));
+          column((file_.has_parent_path() ? file_.parent_path() : ".") / samples, text("column"));
+    }
     return result;
   }
 
@@ -131,6 +135,7 @@ class DistributionReader {
     return {.si = si};
   }
 
+  // No message quotes the file: the case may be of someone else, and name any file.
   [[nodiscard]] std::vector<double> column(const Path& file, const std::string& name) const {
     const std::string content = read_table_text(file);
     CsvReader reader(file, content);
@@ -139,17 +144,14 @@ class DistributionReader {
     if (found == names.end())
       found =
           std::ranges::find(names, name, [](const std::string& header) { return header_of(header).name; });
-    if (found == names.end())
-      fail(item("column") + " is " + printable(name) + suggestion(name, names),
-           "a column of " + file.string() + ", which has " + joined(names));
+    if (found == names.end()) fail(item("column") + " is " + printable(name), "a column of " + file.string());
     const Unit unit = unit_in(*found);
     const auto index = static_cast<std::size_t>(found - names.begin());
     std::vector<double> samples;
     while (const auto row = reader.next_row()) {
       const auto value = reader.number((*row)[index]);
       if (!value || !std::isfinite(unit.to_si(*value)))
-        throw InputError(reader.place(reader.line(), index) + ": " + printable((*row)[index]) +
-                         " stands there, but must be a finite number");
+        throw InputError(reader.place(reader.line(), index) + ": is no finite number, but must be one");
       samples.push_back(unit.to_si(*value));
     }
     if (samples.size() < 2)

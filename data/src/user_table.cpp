@@ -42,8 +42,13 @@ const std::vector<std::pair<std::string, std::string>> other_names{
 class UserTableReader {
  public:
   UserTableReader(const std::filesystem::path& file, const ReferenceTable& reference,
-                  const std::vector<ColumnMapping>& mappings, const std::vector<std::string>& names)
-      : reference_(reference), mappings_(mappings), text_(read_table_text(file)), csv_(file, text_, names) {
+                  const std::vector<ColumnMapping>& mappings, const std::vector<std::string>& names,
+                  bool is_quoted)
+      : reference_(reference),
+        mappings_(mappings),
+        is_quoted_(is_quoted),
+        text_(read_table_text(file)),
+        csv_(file, text_, names) {
     table_.file = file == "-" ? "standard input" : file;
   }
 
@@ -135,7 +140,8 @@ class UserTableReader {
     std::vector<std::string> names;
     for (const std::string& header : csv_.names()) names.push_back(printable(header));
     throw InputError(csv_.place(csv_.line_of_names()) + ": the column " + printable(name) + purpose +
-                     " is missing" + suggestion(name, names) + "; the file has " + joined(names) +
+                     " is missing" +
+                     (is_quoted_ ? suggestion(name, names) + "; the file has " + joined(names) : "") +
                      " (--column REFERENCE=THEIRS says which is which)");
   }
 
@@ -201,7 +207,7 @@ class UserTableReader {
       return std::numeric_limits<double>::quiet_NaN();
     }
     const auto number = csv_.number(cell);
-    if (!number) fail_unless("a finite number, as 0.025 or 2.5e-2");
+    if (!number) fail_unless("a finite number that fits a double, as 0.025 or 2.5e-2");
     if (source.field->type == FieldType::integer && *number != std::floor(*number)) fail_unless("an integer");
     const double value = source.unit->to_si(*number);
     if (!std::isfinite(value)) fail_unless("a number that is finite in " + source.field->unit);
@@ -263,6 +269,7 @@ class UserTableReader {
 
   const ReferenceTable& reference_;
   const std::vector<ColumnMapping>& mappings_;
+  const bool is_quoted_;
   std::string text_;
   CsvReader csv_;
   std::vector<Source> sources_;
@@ -320,8 +327,9 @@ void require_known_columns(const std::vector<ColumnMapping>& mappings,
 }
 
 UserTable read_user_table(const std::filesystem::path& file, const ReferenceTable& reference,
-                          const std::vector<ColumnMapping>& mappings, const std::vector<std::string>& names) {
-  return UserTableReader(file, reference, mappings, names).read();
+                          const std::vector<ColumnMapping>& mappings, const std::vector<std::string>& names,
+                          bool is_quoted) {
+  return UserTableReader(file, reference, mappings, names, is_quoted).read();
 }
 
 }  // namespace stickslip::data

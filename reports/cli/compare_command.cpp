@@ -25,12 +25,14 @@ namespace stickslip::cli {
 namespace {
 
 struct CompareOptions {
-  std::string name, file, events, rows, manifest, junit, figure;
+  std::string name, file, events, rows, names, manifest, junit, figure;
   std::string package = data::reference_directory().string();
-  std::vector<std::string> columns, names, tolerances;
+  std::vector<std::string> columns, tolerances;
   std::optional<double> until;
   OwnComparison own;
 };
+
+bool is_own_run(const CompareOptions& options) { return options.name.ends_with(".csv"); }
 
 // The comparisons that are asked for: one, or those of the lines of the manifest, whose files are next to it.
 std::vector<CompareOptions> runs_of(const CompareOptions& options) {
@@ -43,26 +45,26 @@ std::vector<CompareOptions> runs_of(const CompareOptions& options) {
   for (const auto& row : read_rows(options.manifest, "the manifest")) {
     CompareOptions& run = runs.emplace_back(options);
     for (const auto& [column, cell, place] : row) {
-      if (!columns.contains(column))
+      if (!columns.contains(column) || std::ranges::count(row, column, &data::Override::key) > 1)
         throw data::FieldError("a column of the manifest", data::printable(column),
-                               "one of data_set, file, events, rows");
-      run.*columns.at(column) = cell;
+                               "one of data_set, file, events, rows, and stand once");
+      const bool is_file = column == "file" || column == "events" || cell.ends_with(".csv");
+      if (is_file && !data::is_inside(cell))
+        throw data::FieldError(place, data::printable(cell), "a path inside the folder of the manifest");
+      const auto folder = std::filesystem::path(options.manifest).parent_path();
+      run.*columns.at(column) = is_file && !cell.empty() ? (folder / cell).string() : cell;
     }
     if (run.name.empty() || run.file.empty())
-      throw data::InputError(fmt::format("{}, row {}: data_set or file is empty, but must be a name",
-                                         options.manifest, runs.size()));
-    for (std::string* const file : {&run.file, &run.events})
-      if (!file->empty()) *file = (std::filesystem::path(options.manifest).parent_path() / *file).string();
+      throw data::InputError(row.front().place + ": data_set or file is empty, but must be a name");
   }
   return runs;
 }
 
-bool is_own_run(const CompareOptions& options) { return options.name.ends_with(".csv"); }
-
 comparison::Comparison compare(const CompareOptions& options, const data::ReferencePackage& package,
                                const std::function<void(double)>& progress) {
+  const bool is_quoted = options.manifest.empty();
   const comparison::Reference reference = is_own_run(options)
-                                              ? comparison::own_run(options.name)
+                                              ? comparison::own_run(options.name, is_quoted)
                                               : comparison::read_reference(package, options.name);
   comparison::Settings settings{.tolerances = parse_tolerances(options.tolerances), .until = options.until};
   if (!options.rows.empty()) settings.rows = parse_rows(options.rows);
@@ -77,9 +79,11 @@ comparison::Comparison compare(const CompareOptions& options, const data::Refere
   }
   data::require_known_columns(mappings, references);
   if (!options.events.empty())
-    settings.events = data::read_user_table(options.events, *reference.events, mappings);
-  const data::UserTable theirs =
-      data::read_user_table(options.file, reference.table, mappings, options.names);
+    settings.events = data::read_user_table(options.events, *reference.events, mappings, {}, is_quoted);
+  std::vector<std::string> names;
+  for (const std::string_view name : split(options.names, ','))
+    if (!options.names.empty()) names.emplace_back(name);
+  const auto theirs = data::read_user_table(options.file, reference.table, mappings, names, is_quoted);
   comparison::Comparison result = comparison::compare(reference, theirs, settings);
   if (!is_own_run(options))
     result.diagnoses = comparison::diagnose(result, package, reference.table, theirs, progress);
@@ -89,8 +93,7 @@ comparison::Comparison compare(const CompareOptions& options, const data::Refere
 Answer compared(const CompareOptions& options, Outputs& outputs) {
   if (!options.own.problem.empty()) return compared_with_case(options.name, options.own, outputs);
   if (options.own.json == "-" && options.junit == "-")
-    throw data::InputError(
-        "--json - and --junit - both want standard output, but one of them must be a file");
+    throw data::InputError("--json - and --junit - both want standard output; one must be a file");
   if (options.file == "-" && options.events == "-")
     throw data::InputError("FILE and --events both are standard input, but one of them must be a file");
   if (options.manifest.empty() && (options.name.empty() || options.file.empty()))
@@ -101,9 +104,8 @@ Answer compared(const CompareOptions& options, Outputs& outputs) {
                 {"--junit", options.junit},
                 {"--figure", options.figure}});
   const std::vector<CompareOptions> runs = runs_of(options);
-  const data::ReferencePackage package = std::ranges::all_of(runs, is_own_run)
-                                             ? data::ReferencePackage{}
-                                             : data::load_reference(options.package);
+  data::ReferencePackage package;
+  if (!std::ranges::all_of(runs, is_own_run)) package = data::load_reference(options.package);
   report::Progress& progress = outputs.progress(": known mistakes");
   // By the place of the agreement in its list; a file that cannot be compared is the worst, then what differs.
   constexpr std::array statuses{done, failed, undecided, unusable};
@@ -155,9 +157,7 @@ void add_options(CLI::App& command, CompareOptions& options) {
         "Which column of yours is which, and in which unit, as in frequency=f1:kHz; repeatable")
       ->allow_extra_args(false);
   words("--columns", options.names, "NAME,NAME,...",
-        "The names of the columns of FILE, in their order, if it has no line of names; '-' for one that does "
-        "not count")
-      ->delimiter(',');
+        "The names of the columns of FILE, if it has no line of names; '-' for one that does not count");
   words("--rows", options.rows, "FIRST:LAST,...",
         "The rows of the data set that FILE must have, counted from 1 (default: all), as in 1:12 or 1:3,7");
   words("--tolerance", options.tolerances, "[QUANTITY=]NUMBER",
@@ -170,8 +170,7 @@ void add_options(CLI::App& command, CompareOptions& options) {
   add_package_option(command, options.package);
   auto* manifest = add_file_option(
       command, "--manifest", options.manifest,
-      "CSV file with the columns data_set and file, and events and rows if need be: compares them "
-      "all, instead of NAME and FILE");
+      "CSV file with the columns data_set and file, and events and rows if need be: compares them all");
   manifest->excludes(command.get_option("NAME"));
   for (const char* single : {"FILE", "--events", "--column", "--columns", "--rows", "--until", "--figure"}) {
     manifest->excludes(command.get_option(single));

@@ -840,7 +840,7 @@ Reference read_reference(const data::ReferencePackage& package, const std::strin
   return reference;
 }
 
-Reference own_run(const std::filesystem::path& file) {
+Reference own_run(const std::filesystem::path& file, bool is_quoted) {
   data::ReferenceTable table;
   data::Resource& resource = table.resource;
   resource.name = file.string();
@@ -861,7 +861,7 @@ Reference own_run(const std::filesystem::path& file) {
     add(name, "m");
     rule.values.push_back({name, data::Norm::range, 0.01});
   }
-  const data::UserTable run = data::read_user_table(file, table);
+  const data::UserTable run = data::read_user_table(file, table, {}, {}, is_quoted);
   std::erase_if(rule.values,
                 [&](const data::ComparedValue& value) { return run.column(value.field) == nullptr; });
   table.columns = run.columns;

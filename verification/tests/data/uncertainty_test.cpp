@@ -161,9 +161,13 @@ TEST_F(UncertaintyTable, IsRefusedForItsSamples) {
     folder_.write("l.csv", text);
     return error_message("\"beam.length\" = { distribution = 'samples', file = 'l.csv', column = 'L' }\n");
   };
-  EXPECT_EQ(
-      samples("M\n1\n2\n"),
-      "bar.toml:27: uncertainty.\"beam.length\".column is L, but must be a column of l.csv, which has M");
+  EXPECT_EQ(samples("M\n1\n2\n"),
+            "bar.toml:27: uncertainty.\"beam.length\".column is L, but must be a column of l.csv");
+  for (const std::string file : {"/etc/passwd", "../l.csv", "a/../../l.csv", "-"})
+    EXPECT_EQ(error_message("\"beam.length\" = { distribution = 'samples', file = '" + file +
+                            "', column = 'L' }\n"),
+              "bar.toml:27: uncertainty.\"beam.length\".file is " + file +
+                  ", but must be a path inside the folder of the case");
   for (const std::string unit : {"s", "furlong"})
     EXPECT_EQ(samples("L [" + unit + "]\n1\n2\n"), "bar.toml:27: uncertainty.\"beam.length\".column is L [" +
                                                        unit +
@@ -171,8 +175,7 @@ TEST_F(UncertaintyTable, IsRefusedForItsSamples) {
   EXPECT_EQ(samples("L\n1\n"), "l.csv: has 1 rows, but must have at least 2");
   EXPECT_EQ(samples("L\n1\n1e9\n"),
             "bar.toml:27: beam.length is 1e+09, but must be from 1e-09 to 1e+06 (m) in magnitude");
-  EXPECT_EQ(samples("L,M\n1,1\nlong,2\n"),
-            "l.csv:3, column 1 (L): long stands there, but must be a finite number");
+  EXPECT_EQ(samples("L,M\n1,1\nlong,2\n"), "l.csv:3, column 1 (L): is no finite number, but must be one");
 }
 
 TEST_F(UncertaintyTable, IsRefusedForItsCorrelation) {

@@ -30,6 +30,9 @@ namespace stickslip::data {
 /// (optimal string alignment: two neighbours in the wrong order count as one letter).
 [[nodiscard]] std::string suggestion(std::string_view word, const std::vector<std::string>& names);
 
+/// Whether a file that a case, a manifest or a package names is in its folder or below: a relative path without "..", and no "-".
+[[nodiscard]] bool is_inside(const std::filesystem::path& file);
+
 /// The SHA-256 digest (FIPS 180-4) of some bytes, as 64 hexadecimal digits in lower case.
 [[nodiscard]] std::string sha256(std::string_view bytes);
 

@@ -46,10 +46,11 @@ struct UserTable {
 /// and what is allowed, for a column that is missing, stands twice or has an unknown unit, for a cell that is
 /// no finite number, for a line with fewer or more cells, for no rows, for a key that stands twice in
 /// a table, and for an abscissa or times of events that decrease. A file without a line of names is refused unless
-/// `names` gives them, in the order of its columns.
+/// `names` gives them, in the order of its columns. Messages quote the names of the columns of the file unless is_quoted is
+/// false, for a file that a manifest of someone else names. (Cells are quoted where the file has the columns of the data set.)
 [[nodiscard]] UserTable read_user_table(const std::filesystem::path& file, const ReferenceTable& reference,
                                         const std::vector<ColumnMapping>& mappings = {},
-                                        const std::vector<std::string>& names = {});
+                                        const std::vector<std::string>& names = {}, bool is_quoted = true);
 
 /// Throws InputError if a mapping names a column that none of the data sets has.
 void require_known_columns(const std::vector<ColumnMapping>& mappings,
