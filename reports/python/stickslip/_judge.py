@@ -3,10 +3,12 @@
 import bisect
 import copy
 import math
+import operator
+import re
 from collections import Counter, namedtuple
 from dataclasses import dataclass, field
 
-from ._data import InputError, Results, load
+from ._data import InputError, Results, load, mappings_of, number, printable
 
 INFINITY = math.inf
 RANGE_COVERAGE = 0.9  # the share of a curve that a verdict needs; of a table it needs all rows, or those that are named
@@ -232,9 +234,9 @@ class _Comparison:
         self.of_events, self.their_events = of_events, their_events
         self.rule, self.kind, key = reference.comparison, reference.comparison["kind"], reference.key
         self.own_horizon = self.rule.get("horizon", INFINITY)
-        self.horizon = min(self.own_horizon, until or INFINITY)
+        self.horizon = min(self.own_horizon, INFINITY if until is None else until)
         self.remarks, self.coverage, self.required = [], 1.0, 1.0 if self.kind == "table" else RANGE_COVERAGE
-        self.needed, self.present = set(rows or range(reference.rows)), []
+        self.needed, self.present = rows or set(range(reference.rows)), []
         if self.kind == "table":
             self.abscissa = next((name for name in reversed(key) if reference.types[name] != "string"), "")
         else:
@@ -244,9 +246,7 @@ class _Comparison:
         for name, tolerance in tolerances.items():
             if name and name not in self.rules:
                 raise InputError(f"the tolerance of {name} is given, but it must be of one of {', '.join(self.rules)}")
-            if not 0 <= tolerance < INFINITY:
-                raise InputError(f"the tolerance is {tolerance}, but must be a finite number that is not negative")
-        if until and reference.units.get(self.abscissa) != "s":
+        if until is not None and reference.units.get(self.abscissa) != "s":
             raise InputError(f"a latest time is given, but the data set {reference.name} is not one in time")
         if self.kind == "table":  # the words that may stand in a column are compared
             words = [name for name, allowed in reference.allowed.items() if allowed and name not in key]
@@ -503,7 +503,7 @@ class _Comparison:
         sequence = _counted("sequence", "events")
         for label, rows, their_rows in self._begun():
             events, theirs = self._both_changes(self.reference, rows, self.theirs, their_rows)
-            end = INFINITY if self.until else self.theirs.cells["time"][their_rows[-1]]
+            end = INFINITY if self.until is not None else self.theirs.cells["time"][their_rows[-1]]
             found, _ = self._aligned(self.rule, events, theirs, end)
             pairs, _, extra, unreached, beyond = found
             self._note(sequence, label, found, events, theirs)
@@ -638,7 +638,8 @@ class Judgement:
     def as_dict(self):
         """For JSON."""
         def members(of, hidden=()):
-            return {key: value for key, value in vars(of).items() if key not in hidden}
+            return {key: None if value in (INFINITY, -INFINITY) or value != value else value  # JSON has finite numbers only
+                    for key, value in vars(of).items() if key not in hidden}
         return {**members(self), "conclusion": self.conclusion, "parts": [part.as_dict() for part in self.parts],
                 "quantities": [{**members(one, ("abscissas",)), "level": one.level} for one in self.quantities]}
 
@@ -656,26 +657,47 @@ class Judgement:
                           f"{self.conclusion}, level {self.level}"])
 
 
-def judge(name, data, *, columns=None, tolerance=None, until=None, rows=None, events=None):
+def _rows_of(rows, reference):
+    """The rows, from 0, that numbers or a text such as "1:12,15" name."""
+    try:
+        if isinstance(rows, str):
+            parts = [part.split(":") if re.fullmatch(r"\d{1,18}(:\d{1,18})?", part, re.ASCII) else "0" for part in rows.split(",") if rows]
+        else:
+            parts = [[operator.index(row)] for row in rows or ()]
+    except TypeError:
+        parts = ["0"]
+    ranges = [range(int(part[0]) - 1, int(part[-1])) for part in parts]
+    if not all(0 <= one.start < one.stop <= reference.rows for one in ranges):
+        raise InputError(f"the rows are {printable(rows)}, but must be numbers, or ranges of them as in 1:12,15, from 1 to {reference.rows}")
+    return {row for one in ranges for row in one}
+
+
+def judge(name, data, *, columns=None, tolerance=None, until=None, rows=None, events=None, mapping=(), is_foreign=False):
     """The Judgement of results: a file (CSV and its relatives, perhaps gzip), or columns in memory.
 
     data: a path, a mapping of names to sequences (a number or word stands for all rows), a structured array, a table of pandas, or
     rows with their names in `columns`. A name may have a unit ("frequency [kHz]"), else it is that of the data set.
-    columns: the names, of data without them; or {"frequency": "f1:kHz"}, which of them is which.
+    columns: the names, of data without them; or, here or as `mapping`, {"frequency": "f1:kHz"}, which of them is which.
     tolerance: a number for all quantities, or one for each in a mapping. until: compare nothing later, s.
-    rows: numbers, from 1, of the rows of the data set that were meant; None: all. events: changes of contact of the same history.
+    rows: numbers, from 1, of the rows of the data set that were meant, or a text as "1:12,15"; None: all. events: changes of contact
+    of the same history. is_foreign: someone else names the file, so that no message shows the names in it.
     A wrong result raises nothing. Throws InputError for what cannot be used.
     """
     reference = load(name)
     if not reference.comparison:
         raise InputError(f"the data set {name} says nothing of how to compare with it")
-    wrong = [row for row in rows or () if not 1 <= row <= reference.rows]
-    if wrong:
-        raise InputError(f"the row {wrong[0]} is given, but the data set {name} has the rows 1 to {reference.rows}")
     of_events = reference.comparison.get("events")
     if events is not None and not of_events:
         raise InputError(f"events are given, but {name} is no history with events of its own")
     table = load(of_events) if of_events else None
     tolerances = tolerance if isinstance(tolerance, dict) else {} if tolerance is None else {"": tolerance}
-    return _Comparison(reference, Results(reference, data, columns), tolerances, until, [row - 1 for row in rows or ()], table,
-                       Results(table, events) if events is not None else None).run()
+    for what, value in [("tolerance", value) for value in tolerances.values()] + [("latest time", until)] * (until is not None):
+        if isinstance(value, str) or number(value) is None or value < 0:
+            raise InputError(f"the {what} is {printable(value)}, but must be a finite number that is not negative")
+    mapping, names = (columns, None) if isinstance(columns, dict) else (mapping, columns.split(",") if isinstance(columns, str) else columns)
+    if not (names is None or isinstance(names, (list, tuple)) and all(isinstance(one, str) for one in names)):
+        raise InputError(f"the columns are {printable(names)}, but must be names, or a mapping of names to names")
+    mappings = mappings_of(mapping, {**reference.types, **(table.types if events is not None else {})})
+    their_events = None if events is None else Results(table, events, None, mappings, is_foreign)
+    return _Comparison(reference, Results(reference, data, names, mappings, is_foreign), tolerances, until, _rows_of(rows, reference),
+                       table, their_events).run()

@@ -3,6 +3,7 @@
 import csv
 import io
 import json
+import math
 import os
 import pathlib
 import shutil
@@ -34,8 +35,9 @@ def _options(options):
 
 
 def _columns(text):
-    rows = list(csv.reader(line for line in io.StringIO(text) if not line.startswith("#")))
-    numbers = {name: [number(row[i]) for row in rows[1:]] for i, name in enumerate(rows[0])}
+    """A map has an empty line between its blocks; an empty cell is no number that was found."""
+    rows = [row for row in csv.reader(line for line in io.StringIO(text) if not line.startswith("#")) if row]
+    numbers = {name: [number(row[i]) if row[i] else math.nan for row in rows[1:]] for i, name in enumerate(rows[0])}
     return {name: [row[i] for row in rows[1:]] if None in cells else array(cells)
             for i, (name, cells) in enumerate(numbers.items())}
 
