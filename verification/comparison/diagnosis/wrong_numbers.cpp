@@ -236,7 +236,7 @@ bool is_held(const analytic::ContactModel& model, double position, double veloci
 std::optional<MassRows> mass_rows(const Numbers& numbers, const MassRows& seen) {
   const double pull = number(numbers, "pull.force", 0.0), until = number(numbers, "pull.until", 0.0);
   if (seen.times.empty() || until < 0.0) return std::nullopt;
-  const double end = 2.0 * seen.times.back();
+  const double end = std::max(until, 2.0 * seen.times.back());
   const analytic::ContactModel model = mass_model(numbers, pull);
   MassRows rows;
   analytic::EventDriven run(model);

@@ -172,6 +172,19 @@ TEST_F(CompareCommand, ReadsStandardInputAndWritesXmlAlone) {
   EXPECT_TRUE(xml.starts_with("<?xml") && xml.ends_with("</testsuites>\n")) << xml;
 }
 
+// A search for the number that is wrong meets models whose motion ends before it begins.
+TEST_F(CompareCommand, JudgesEventsAtAnyTimeAndPlace) {
+  const std::string right_events = run("reference export published-problems").output,
+                    first = "sdnd106,1,onset,";
+  const auto begin = right_events.find(first) + first.size(), end = right_events.find('\n', begin);
+  for (const std::string wrong : {"0.0351240736552036,1e-15,1,1e-30", "-1,1e-30,0,1e-30"}) {
+    std::ofstream("mine.csv") << std::string(right_events).replace(begin, end - begin, wrong);
+    const Outcome outcome = run("compare published-problems mine.csv");
+    EXPECT_EQ(outcome.status, 1) << outcome.errors;
+    EXPECT_TRUE(outcome.output.ends_with("\ndiffers\n")) << wrong;
+  }
+}
+
 // The motion of a tip that sticks is proportional to the amplitude; the other method has another error, far below 1 %.
 TEST_F(CompareCommand, HoldsARunOfOnesOwnAgainstAnother) {
   const std::string respond = "respond paper --hz 30 --duration 0.2 --amplitude ";
