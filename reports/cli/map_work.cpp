@@ -123,8 +123,8 @@ std::shared_ptr<UnfinishedMap> evaluate(const studies::MapTask& task, const MapP
   std::size_t done = unfinished->found();
   const auto share = [&] { return static_cast<double>(done) / static_cast<double>(count); };
   if (done > 0 && !outputs.is_quiet())
-    fmt::print(stderr, "stickslip map: going on from {}, which holds {} of {} evaluations\n",
-               unfinished->file().string(), done, count);
+    report::tell("stickslip map", fmt::format("going on from {}, which holds {} of {} evaluations",
+                                              unfinished->file().string(), done, count));
   progress.start_at(done > 0 ? share() : 0.0);  // a part may have no evaluation
   std::erase_if(numbers, [&](std::size_t number) { return evaluations[number].has_value(); });
   unfinished->remove_if_impossible([&] {

@@ -35,7 +35,7 @@ void ask(std::vector<CaseLine>& lines, std::size_t asked, const std::string& fil
   for (;;) {
     std::vector<CaseLine> changed = lines;
     CaseLine& line = changed[asked];
-    fmt::print(stderr, "{} ({}) [{}]: ", line.path(), line.comment, line.value);
+    std::cerr << fmt::format("{} ({}) [{}]: ", line.path(), line.comment, line.value);
     std::string answer;
     if (!std::getline(std::cin, answer))
       throw data::InputError("standard input ends before " + line.path() +
@@ -46,13 +46,13 @@ void ask(std::vector<CaseLine>& lines, std::size_t asked, const std::string& fil
       lines = std::move(changed);
       return;
     } catch (const data::InputError& error) {
-      fmt::print(stderr, "{}\n", error.what());
+      std::cerr << data::plain_text(error.what()) << "\n";
     }
   }
 }
 
 void ask_all(std::vector<CaseLine>& lines, const std::string& file) {
-  fmt::print(stderr, "Enter keeps the value in brackets.\n");
+  std::cerr << "Enter keeps the value in brackets.\n";
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (!lines[i].is_asked) continue;
     ask(lines, i, file);

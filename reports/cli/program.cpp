@@ -14,6 +14,7 @@
 
 #include "command.hpp"
 #include "commands.hpp"
+#include "render/progress.hpp"
 #include "stickslip/data/atomic_file.hpp"
 #include "stickslip/data/input_error.hpp"
 #include "stickslip/data/input_text.hpp"
@@ -24,8 +25,7 @@ namespace stickslip::cli {
 namespace {
 
 int told(const std::string& sentence, ExitStatus status) {
-  constexpr std::size_t longest = 2000;
-  fmt::print(stderr, "stickslip: {}\n", data::printable(sentence, longest));
+  report::tell("stickslip", sentence);
   return status;
 }
 
@@ -58,6 +58,8 @@ std::string unexpected(const CLI::App& app, const std::string& argument) {
   const std::string text = data::printable(argument);
   if (argument.starts_with('-') && argument.size() > 1) {
     const std::string name = argument.substr(0, argument.find('='));
+    if (app.get_option_no_throw(name) != nullptr && &command != &app)
+      return fmt::format("the option {} must stand before {}", text, command.get_name());
     return fmt::format("the option {} is unknown{}", text, data::suggestion(name, options_of(command)));
   }
   if (const auto names = subcommand_names(command); !names.empty())
@@ -97,6 +99,7 @@ void use_allowed_processors() {
 
 int run(int argc, const char* const* argv) {
   use_allowed_processors();
+  data::protect_inputs(true);
   CLI::App app("Friction-driven vibration of beams, in closed form and by finite elements", "stickslip");
   add_commands(app);
   try {
@@ -159,7 +162,9 @@ void require_subcommand(const CLI::App& app) {
 }
 
 int run_program(int argc, const char* const* argv) {
-  return exit_status_of([=] { return run(argc, argv); });
+  const int status = exit_status_of([=] { return run(argc, argv); });
+  data::protect_inputs(false);
+  return status;
 }
 
 }  // namespace stickslip::cli

@@ -75,8 +75,10 @@ std::vector<char*> pointers_to(std::vector<std::string>& words) {
 void require_tool(const std::string& program) {
   const char* const path = std::getenv("PATH");
   std::istringstream folders(path == nullptr ? "/bin:/usr/bin" : path);
-  for (std::string folder; std::getline(folders, folder, ':');)
-    if (::access((fs::path(folder.empty() ? "." : folder) / program).c_str(), X_OK) == 0) return;
+  for (std::string folder; std::getline(folders, folder, ':');) {
+    const fs::path file = fs::path(folder.empty() ? "." : folder) / program;
+    if (std::error_code error; ::access(file.c_str(), X_OK) == 0 && !fs::is_directory(file, error)) return;
+  }
   fail_without(program);
 }
 

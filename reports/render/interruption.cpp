@@ -7,11 +7,12 @@
 #include <atomic>
 #include <cerrno>
 #include <cstddef>
-#include <cstdio>
 #include <cstdlib>
+#include <system_error>
 #include <utility>
 
 #include "render/external_tool.hpp"
+#include "render/progress.hpp"
 
 namespace stickslip::report {
 
@@ -34,7 +35,12 @@ void note(int signal) {
 Interruption::Interruption(std::function<std::string()> last_words) : last_words_(std::move(last_words)) {
   arrived = 0;
   ::sem_init(&arrival, 0, 0);
-  watcher_ = std::thread([this] { wait_for_signal(); });
+  try {
+    watcher_ = std::thread([this] { wait_for_signal(); });
+  } catch (const std::system_error& error) {
+    throw std::system_error(error.code(),
+                            "a thread that waits for Ctrl-C cannot be started (ulimit -u, ulimit -v)");
+  }
   for (std::size_t i = 0; i < signals.size(); ++i) {
     ::sigaction(signals[i], nullptr, &previous_[i]);
     if (previous_[i].sa_handler == SIG_IGN) continue;
@@ -58,8 +64,7 @@ void Interruption::wait_for_signal() {
   if (signal == 0) return;  // the work is done
   end_tools();              // whoever waits for one may be undisturbed
   const std::lock_guard lock(guard_);
-  fmt::print(stderr, "{}: {}\n", ::program_invocation_short_name, last_words_());
-  std::fflush(stderr);
+  tell(::program_invocation_short_name, last_words_());
   std::_Exit(128 + signal);
 }
 

@@ -7,7 +7,10 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <iostream>
 #include <utility>
+
+#include "stickslip/data/input_text.hpp"
 
 namespace stickslip::report {
 
@@ -31,6 +34,11 @@ std::string time_text(double seconds) {
 int per_cent(double share) { return static_cast<int>(100.0 * share + 1e-9); }
 
 }  // namespace
+
+void tell(std::string_view who, std::string_view sentence) {
+  constexpr std::size_t longest = 2000;
+  std::cerr << fmt::format("{}: {}\n", who, data::printable(sentence, longest));  // throws nothing
+}
 
 ProgressStyle progress_style_of(int descriptor) {
   if (::isatty(descriptor) == 1) return ProgressStyle::bar;

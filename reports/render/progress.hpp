@@ -10,6 +10,10 @@
 
 namespace stickslip::report {
 
+/// One line on standard error, "WHO: SENTENCE", of at most 2000 bytes of the sentence. Where standard error is closed or
+/// full, nothing happens.
+void tell(std::string_view who, std::string_view sentence);
+
 /// How progress is shown: as a bar to a person at a terminal, as lines in a log, and not at all in a pipe,
 /// whose reader did not ask for it.
 enum class ProgressStyle { silent, lines, bar };

@@ -8,6 +8,7 @@
 #include <functional>
 #include <mutex>
 #include <stdexcept>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -74,7 +75,11 @@ inline void in_parallel_settling(std::size_t count, const std::function<void(std
   };
   {
     std::vector<std::jthread> others;
-    while (others.size() + 1 < std::min<std::size_t>(threads, count)) others.emplace_back(take_turns);
+    try {
+      while (others.size() + 1 < std::min<std::size_t>(threads, count)) others.emplace_back(take_turns);
+    } catch (const std::system_error&) {
+      // The machine gives no more threads: those that there are do the work.
+    }
     take_turns();
   }
   if (failure) std::rethrow_exception(failure);

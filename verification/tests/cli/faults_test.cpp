@@ -60,6 +60,32 @@ TEST_F(Fault, StandardOutputThatIsFullIsNamed) {
   }
 }
 
+TEST_F(Fault, StandardErrorThatIsFullOrClosedChangesNothing) {
+  std::ofstream("mine.csv") << "beam,mode,frequency\npaper,1,25\n";
+  for (const std::string& arguments : std::vector<std::string>{
+           "criterion nosuch", "--nosuch", "criterion --output out.csv", "compare stick-frequencies mine.csv",
+           "respond --hz 2000 --duration 0.01 --output out.csv", "new out.toml --ask --quiet </dev/null"}) {
+    const auto ended = [&](const std::string& errors) {
+      const int status = run(arguments + errors).status;
+      return std::pair(status, contents("out.csv"));
+    };
+    const auto usual = ended("");
+    EXPECT_EQ(ended(" 2>/dev/full"), usual) << arguments;
+    EXPECT_EQ(ended(" 2>&-"), usual) << arguments;
+  }
+}
+
+// Each thread asks for 8 MB of addresses.
+TEST_F(Fault, ThreadsThatCannotBeStartedAreDoneWithout) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "a sanitizer needs more addresses";
+#endif
+  const std::string map = "map --x length=1.9:2:20 --y force=400:500:20 --duration 0.1 --output - --threads ";
+  const Outcome few = shell("ulimit -v 400000; '" STICKSLIP_PROGRAM "' " + map + "300");
+  EXPECT_EQ(few.status, 0) << few.errors;
+  EXPECT_EQ(few.output, run(map + "1").output);
+}
+
 // A file that is opened then has the number 0.
 TEST_F(Fault, StandardInputThatIsClosedIsNoFault) {
   const Outcome outcome =
