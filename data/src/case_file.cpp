@@ -24,6 +24,10 @@ class Mistakes {
   // Does the work, and keeps the message of an InputError; a FieldError is told with what `place` says of its field.
   void collect(const std::function<void()>& work,
                const std::function<std::string(const FieldError&)>& place = {}) {
+    if (are_many()) {
+      ++unread_;
+      return;
+    }
     try {
       work();
     } catch (const FieldError& error) {
@@ -34,6 +38,7 @@ class Mistakes {
   }
 
   [[nodiscard]] bool any() const noexcept { return !sentences_.empty(); }
+  [[nodiscard]] bool are_many() const noexcept { return sentences_.size() >= limit::mistakes.most; }
 
   // Throws InputError for one mistake, InputErrors for more.
   void throw_if_any() const {
@@ -41,11 +46,14 @@ class Mistakes {
     if (sentences_.size() == 1) throw InputError(sentences_.front());
     std::string lines;
     for (const std::string& sentence : sentences_) lines += (lines.empty() ? "" : "\n") + sentence;
+    if (unread_ > 0)
+      lines += "\nafter so many mistakes " + std::to_string(unread_) + " more entries are not read";
     throw InputErrors(lines);
   }
 
  private:
   std::vector<std::string> sentences_;
+  std::size_t unread_{};
 };
 
 std::vector<std::string> key_paths() {
@@ -267,6 +275,7 @@ Case case_of(const std::filesystem::path& file, const toml::table& document,
   Mistakes mistakes;
   Entries entries = entries_of(file, document, mistakes);
   for (const auto& replacement : overrides) mistakes.collect([&] { apply(replacement, entries); });
+  if (mistakes.are_many()) mistakes.throw_if_any();
   mistakes.collect([&] {
     Entries means = means_in(file, document);
     entries.merge(means);

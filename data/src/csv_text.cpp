@@ -134,7 +134,7 @@ std::string decompressed(const std::string& file, std::string text) {
   stream.avail_in = static_cast<uInt>(text.size());
   std::string plain;
   int state = Z_OK;
-  while (state == Z_OK && plain.size() <= largest_table) {
+  while (state == Z_OK && plain.size() <= limit::table_bytes.most) {
     constexpr std::size_t chunk = 1 << 16;
     const std::size_t before = plain.size();
     plain.resize(before + chunk);
@@ -146,8 +146,8 @@ std::string decompressed(const std::string& file, std::string text) {
       ++stream.next_in;  // zeros that fill up a block
     if (state == Z_STREAM_END && stream.avail_in > 0) state = inflateReset(&stream);
   }
-  if (plain.size() > largest_table)
-    throw InputError(file + ": holds more than the " + std::to_string(largest_table) +
+  if (plain.size() > limit::table_bytes.most)
+    throw InputError(file + ": holds more than the " + std::to_string(limit::table_bytes.most) +
                      " bytes that are allowed");
   if (state != Z_STREAM_END) throw InputError(file + ": is no complete file in gzip's format");
   return plain;
@@ -156,7 +156,7 @@ std::string decompressed(const std::string& file, std::string text) {
 }  // namespace
 
 std::string read_table_text(const std::filesystem::path& file) {
-  std::string text = read_bounded(file == "-" ? "/dev/stdin" : file, largest_table);
+  std::string text = read_bounded(file == "-" ? "/dev/stdin" : file, limit::table_bytes.most);
   return text.starts_with("\x1F\x8B") ? decompressed(file.string(), std::move(text)) : text;
 }
 
@@ -283,6 +283,9 @@ CsvReader::Cells CsvReader::cells_of(const Line& line, char separator) const {
     const auto cell = cell_at(text, at, separator);
     if (!cell) throw InputError(place(line.number) + ": a quote is not closed, or something follows it");
     cells.push_back(cell->text);
+    if (cells.size() > limit::table_columns.most)
+      throw InputError(place(line.number) + ": the line has more than the " +
+                       std::to_string(limit::table_columns.most) + " columns that are allowed");
     at = cell->end;
     if (at == text.size()) return cells;
   }

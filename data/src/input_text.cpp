@@ -2,14 +2,19 @@
 #include "stickslip/data/input_text.hpp"
 
 #include <openssl/evp.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <array>
 #include <fstream>
 #include <numeric>
+#include <optional>
+#include <set>
 #include <stdexcept>
 #include <system_error>
+#include <utility>
 
+#include "stickslip/data/csv_text.hpp"
 #include "stickslip/data/input_error.hpp"
 
 namespace stickslip::data {
@@ -52,12 +57,23 @@ std::size_t character_length(std::string_view text) {
   return is_overlong || is_outside ? 0 : length;
 }
 
-// Those of ASCII, and U+0080 ... U+009F.
+// Those of ASCII, U+0080 ... U+009F, and U+FFFE and U+FFFF, which XML 1.0 forbids as well.
 bool is_control(std::string_view character) {
   const auto first = static_cast<unsigned char>(character[0]);
   return first < 0x20U || first == 0x7FU ||
-         (first == 0xC2U && static_cast<unsigned char>(character[1]) < 0xA0U);
+         (first == 0xC2U && static_cast<unsigned char>(character[1]) < 0xA0U) || character == "\uFFFE" ||
+         character == "\uFFFF";
 }
+
+// The regular file that has this name; nothing for anything else.
+using FileIdentity = std::pair<dev_t, ino_t>;
+std::optional<FileIdentity> identity_of(const std::filesystem::path& file) {
+  struct stat status {};
+  if (::stat(file.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) return std::nullopt;
+  return FileIdentity{status.st_dev, status.st_ino};
+}
+
+std::optional<std::set<FileIdentity>> inputs;  // while they are protected
 
 }  // namespace
 
@@ -86,7 +102,19 @@ std::string read_bounded(const std::filesystem::path& file, std::size_t most) {
   if (stream.bad()) throw InputError(file.string() + ": cannot be read");
   if (text.empty()) throw InputError(file.string() + ": is empty");
   if (text.size() > most) fail_for_size();
+  if (const auto identity = identity_of(file); identity && inputs) inputs->insert(*identity);
   return text;
+}
+
+void require_no_input(const std::filesystem::path& output) {
+  if (const auto identity = identity_of(output); identity && inputs && inputs->contains(*identity))
+    throw InputError("output " + output.string() +
+                     " is a file that the command reads, but must be another one");
+}
+
+void protect_inputs(bool from_here_on) {
+  inputs.reset();
+  if (from_here_on) inputs.emplace();
 }
 
 std::string_view trimmed(std::string_view text) {
@@ -105,6 +133,37 @@ std::string printable(std::string_view text, std::size_t longest) {
     at += std::max<std::size_t>(length, 1);
   }
   return line;
+}
+
+std::string plain_text(std::string_view text) {
+  std::string lines;
+  for (auto end = text.find('\n'); end != std::string_view::npos; end = text.find('\n')) {
+    lines += printable(text.substr(0, end), text.size()) + "\n";
+    text.remove_prefix(end + 1);
+  }
+  return lines + printable(text, text.size());
+}
+
+std::string csv_cell(std::string_view text) {
+  std::string cell(text);
+  const bool is_computed =
+      cell.size() > 1 && std::string_view("=+-@").find(cell[0]) != std::string_view::npos;
+  if (is_computed && !finite_number(cell)) cell.insert(0, "'");
+  if (cell.find_first_of(",\"\r\n") == std::string::npos) return cell;
+  for (auto at = cell.find('"'); at != std::string::npos; at = cell.find('"', at + 2))
+    cell.insert(at, 1, '"');
+  return '"' + cell + '"';
+}
+
+// A backquote would run a command, and two quotes in a row end a string of gnuplot 5.4 in single quotes.
+std::string gnuplot_string(std::string_view text) {
+  std::string escaped;
+  for (const char c : printable(text, 200)) {
+    if (c == '"' || c == '\\') escaped += '\\';
+    escaped += c == '`' ? "\\140" : std::string(1, c);
+  }
+  if (escaped.ends_with('\\')) escaped += ' ';  // which gnuplot warns of behind a sign of its markup
+  return '"' + escaped + '"';
 }
 
 std::string joined(const std::vector<std::string>& names) {

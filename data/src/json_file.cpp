@@ -22,9 +22,8 @@ std::string described(const json& value) {
 }  // namespace
 
 json read_json(const std::filesystem::path& file) {
-  constexpr std::size_t largest = 10'000'000;
-  constexpr int deepest = 100;
-  const std::string text = read_bounded(file, largest);
+  constexpr int deepest = limit::package_levels.most;
+  const std::string text = read_bounded(file, limit::package_bytes.most);
   const auto fail = [&](const std::string& what) { throw InputError(file.string() + ": " + what); };
   std::vector<std::set<std::string>> keys;  // of each object that is not closed yet
   const auto check = [&](int depth, json::parse_event_t event, json& parsed) {
@@ -99,7 +98,8 @@ void JsonNode::require_spelling(const std::vector<std::string>& known) const {
 std::string JsonNode::text() const {
   if (!value_->is_string() || value_->get_ref<const std::string&>().empty())
     fail_unless("a string that is not empty");
-  return value_->get<std::string>();
+  const auto& text = value_->get_ref<const std::string&>();
+  return printable(text, text.size());
 }
 
 std::vector<std::string> JsonNode::texts() const {

@@ -428,7 +428,8 @@ ReferencePackage load_reference(const std::filesystem::path& folder) {
 ReferenceTable read_table(const ReferencePackage& package, const std::string& name) {
   const Resource& resource = package.resource(name);
   const std::filesystem::path file = package.folder / resource.path;
-  ReferenceTable table{.resource = resource, .csv = read_bounded(file, largest_table), .columns = {}};
+  ReferenceTable table{
+      .resource = resource, .csv = read_bounded(file, limit::table_bytes.most), .columns = {}};
   const auto altered = [&](const std::string& what, const std::string& is, const std::string& expected) {
     throw InputError(file.string() + ": " + what + " is " + is + ", but must be " + expected +
                      " as in datapackage.json: the file has been altered");

@@ -45,11 +45,14 @@ std::string description_of(const toml::parse_error& error, std::string_view line
 }  // namespace
 
 toml::table read_toml(const std::filesystem::path& file) {
-  constexpr std::size_t largest = 1'000'000;
-  return parse_toml(file, read_bounded(file, largest));
+  return parse_toml(file, read_bounded(file, limit::case_bytes.most));
 }
 
 toml::table parse_toml(const std::filesystem::path& file, const std::string& text) {
+  // Tables in tables are destroyed one inside the other, on the stack.
+  if (const auto dots = std::ranges::count(text, '.'); static_cast<std::size_t>(dots) > limit::case_dots.most)
+    throw InputError(file.string() + ": holds " + std::to_string(dots) + " dots, but must hold at most " +
+                     std::to_string(limit::case_dots.most));
   try {
     return toml::parse(text, file.string());
   } catch (const toml::parse_error& error) {

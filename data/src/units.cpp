@@ -100,6 +100,7 @@ std::optional<Unit> unit_named(std::string_view name) {
 
 std::optional<double> quantity_in(std::string_view text, std::string_view si, bool may_lack_unit) {
   text = trimmed(text);
+  if (text.size() > limit::number_length.most) return std::nullopt;
   double value{};
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc{}) return std::nullopt;
@@ -111,6 +112,8 @@ std::optional<double> quantity_in(std::string_view text, std::string_view si, bo
 }
 
 std::string quantity_allowed(std::string_view text, std::string_view si) {
+  if (trimmed(text).size() > limit::number_length.most)
+    return "of at most " + std::to_string(limit::number_length.most) + " characters";
   if (const auto number = with_decimal_point(trimmed(text)); !number.empty())
     return "written with a decimal point: " + number;
   if (si.empty()) return "a number";
@@ -119,6 +122,7 @@ std::string quantity_allowed(std::string_view text, std::string_view si) {
 
 std::string with_decimal_point(std::string_view text) {
   static const std::regex form(R"(([+-]?\d+),(\d+(?:[eE][+-]?\d+)?)(?![\d,]))");
+  text = text.substr(0, limit::number_length.most);  // std::regex recurs for each digit
   std::match_results<std::string_view::const_iterator> match;
   const bool is_one =
       std::regex_search(text.begin(), text.end(), match, form, std::regex_constants::match_continuous);

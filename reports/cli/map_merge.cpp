@@ -23,7 +23,7 @@ struct PartFile {
 };
 
 std::string text_in(const std::string& file) try {
-  return data::read_bounded(file, largest_file);
+  return data::read_bounded(file, data::limit::shard_bytes.most);
 } catch (const data::InputError& error) {
   throw data::InputError(std::string("--merge: ") + error.what());
 }

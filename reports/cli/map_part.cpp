@@ -169,7 +169,7 @@ std::string part_text(const studies::MapTask& task, const MapPart& part,
 bool holds_part(const std::filesystem::path& file, const studies::MapTask& task, const MapPart& part) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error) ||
-      std::filesystem::file_size(file, error) > largest_file)
+      std::filesystem::file_size(file, error) > data::limit::shard_bytes.most)
     return false;
   const std::string text = data::read_text(file);
   studies::MapEvaluations evaluations(studies::evaluation_count(task));

@@ -32,7 +32,6 @@ namespace stickslip::cli {
 inline constexpr std::string_view closed_form_method = "closed-form", finite_element_method = "fe";
 
 inline constexpr std::size_t most_parts = 1'000'000;
-inline constexpr std::size_t largest_file = 500'000'000;  ///< bytes, more than the largest map takes
 
 inline constexpr std::array<studies::CellState, 3> all_states{analytic::Verdict::stick,
                                                               analytic::Verdict::stick_slip, std::nullopt};

@@ -14,7 +14,7 @@ namespace stickslip::cli {
 
 namespace {
 
-constexpr int most_values = 2000;  // along one axis
+constexpr int most_values = data::limit::map_values.most;  // along one axis
 
 [[noreturn]] void fail_unless(std::string_view allowed, std::string_view option, std::string_view part,
                               std::string_view value) {
@@ -36,8 +36,9 @@ analytic::Bounds range_of(std::string_view option, const data::Key& key, std::st
   if (!std::isfinite(lower) || lower < 0.0 || (lower == 0.0 && !zero))
     fail_unless(zero ? "a finite number of 0 or more" : "a finite number above 0", option, "FROM", from);
   if (!std::isfinite(upper) || upper < lower || (upper == lower && !equal))
-    fail_unless(fmt::format("a finite number {} FROM, {}", equal ? "not below" : "above", from), option, "TO",
-                to);
+    fail_unless(
+        fmt::format("a finite number {} FROM, {}", equal ? "not below" : "above", data::printable(from)),
+        option, "TO", to);
   for (const double end : {lower, upper}) data::require_magnitude(key.path, end, std::string(option));
   return {lower, upper};
 }

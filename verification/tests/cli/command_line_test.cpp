@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 /// The command line, run as a program: exit status, streams, formats and files.
 
+#include <sys/stat.h>
 #include <nlohmann/json.hpp>
 
 #include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/data/case_file.hpp"
+#include "stickslip/data/input_text.hpp"
 #include "support/command_line.hpp"
 #include "support/testing.hpp"
 #include "support/vibration.hpp"
@@ -19,22 +21,18 @@ struct Refusal {
 };
 
 constexpr Refusal refusals[] = {
-    {"modes --count 2.5", "--count is 2.5, but must be an integer"},
     {"modes --set beam.axial_force=1e6", "beam.axial_force"},
     {"criterion --hz fast", "--hz: excitation.frequency_hz is fast, but must be a number (Hz) or a text of"},
     {"criterion --amplitude 1,5mm",
      "--amplitude: excitation.amplitude is 1,5mm, but must be written with a decimal point: 1.5"},
     {"criterion --set friction.static_coefficient=0,4",
      "is 0,4, but must be written with a decimal point: 0.4"},
-    {"criterion --hz 2mm", "excitation.frequency_hz is 2mm, but must be a number (Hz) or a text of"},
     {"map --x length=60mm:1,5:3", "--x: TO is '1,5', but must be written with a decimal point: 1.5"},
     {"respond --from 1Hz", "--from is 1Hz, but must be a finite number of 0 or more (s)"},
-    {"report --output report --tests nowhere", "--tests is nowhere, but must be a folder that exists"},
     {"respond --json", "--output FILE"},
     {"respond --method event-driven --scheme located", "--method is event-driven, but must be fe where"},
     {"respond --method event-driven --set beam.axial_force=-10", "beam.axial_force is -10"},
     {"respond --method closed-form --events events.csv", "where --events is given"},
-    {"respond --scheme exact", "--scheme is exact, but must be one of end-of-step, located, paper"},
     {"respond --method closed-form --scheme paper", "--method is closed-form, but must be fe"},
     {"respond --scheme paper --set numerics.velocity_threshold=0", "must be above 0 (m/s)"},
     {"respond --initial-velocity zero --method closed-form", "quasi-static for --method closed-form, whose"},
@@ -46,32 +44,20 @@ constexpr Refusal refusals[] = {
      "is given\n"},
     {"respond --method closed-form damped", "damping.kelvin_voigt is 6.4e-05, but must be 0 for the c"},
     {"uncertainty uncertain --band 1e-30:30", "--band: excitation.frequency_hz is 1e"},
-    {"uncertainty uncertain --band 30:1e30", "--band: excitation.frequency_hz is 1e"},
     {"uncertainty paper", "uncertainty is missing, but the case must have a table [uncertainty]"},
     {"uncertainty uncertain --band 30:40 --set damping.ratio=0.01", "must have no damping with a band"},
     {"uncertainty uncertain --amplitude 0", "excitation.amplitude is 0, but must be above 0 (m)"},
     {"uncertainty uncertain --set beam.axial_force=0", "beam.axial_force is 0, but must be positive"},
     {"uncertainty uncertain --band 40:30", "--band: TO is '30', but must be a finite number not below"},
     {"design", "--band is required"},
-    {"design --band 20", "--band: the range is '20', but must be FROM:TO"},
-    {"design --band 30:20", "--band: TO is '20', but must be a finite number not below FROM, 30"},
-    {"design --band 0:20", "--band: FROM is '0', but must be a finite number above 0"},
-    {"design --band 20:30 --length 2:2", "--length: TO is '2', but must be a finite number above FROM, 2"},
-    {"design --band 20:30 --force -5:2", "--force: FROM is '-5'"},
-    {"design --band 20:1e40", "--band: excitation.frequency_hz is 1e+40, but must be from 1e-09"},
-    {"design --band 20:30 --length 1:1e40", "--length: beam.length is 1e+40, but must be from"},
-    {"design --band 20:30 --force 1e-30:1", "--force: beam.axial_force is 1e-30, but must be from"},
     {"design --band 20:30 --amplitude 0", "--amplitude: excitation.amplitude is 0, but must be above 0"},
     {"design --band 20:30 --set beam.axial_force=0", "beam.axial_force is 0, but must be positive"},
     {"squeal paper", "wall.speed is 0, but must be other than 0"},
     {"squeal reed --speed 0", "--speed: wall.speed is 0, but must be other than 0"},
-    {"validate --raw none", "--raw is none, but must be a folder that exists"},
     {"periodic reed --set wall.speed=0", "excitation.amplitude is 0, but must be above 0"},
     {"squeal reed --set numerics.elements=201", "numerics.elements is 201, but must be at most 200 here"},
     {"squeal reed --map m.csv", "--map requires --speeds"},
     {"squeal reed --speeds 0.1:1", "--speeds requires --map"},
-    {"squeal reed --ratios 0.1:0.2", "--ratios requires --map"},
-    {"squeal reed --count 5", "--count requires --map"},
     {"squeal reed --figure m.png", "--figure draws the map, but --map FILE is missing"},
     {"uncertainty uncertain --band 30:31 --hz 40", "--hz excludes --band"},
     {"map damped --quantity work --method closed-form", "of the verdict, but --quantity is work"},
@@ -79,16 +65,10 @@ constexpr Refusal refusals[] = {
     {"report --only fig1 --tests .", "--tests excludes --only"},
     {"map paper --dry-run --x frequency=10:20:2 --y amplitude=1e-4:1e-3:2 --shard 5/50",
      "--shard is 5/50, but must be of at most 2 parts, the evaluations of this map"},
-    {"respond paper --duration 0.1 --output h.csv --spectrum h.csv", "must be another file than --output"},
-    {"respond paper --events -", "--events is -, but must be another file than --output"},
-    {"map paper --output a.png --figure a.png", "--figure is a.png, but must be another file than --output"},
     {"compare stick-frequencies - --json a --junit a", "--junit is a, but must be another file than --json"},
-    {"modes --stat=slip", "the option --stat=slip is unknown (did you mean --state?)"},
     {"modes --state slipp", "--state is slipp (did you mean slip?), but must be one of stick, slip"},
     {"map --x frequncy=1:2:3", "(did you mean frequency?)"},
     {"modes paper damped", "the argument damped is one more than modes takes"},
-    {"modes paper -", "the argument - is one more than modes takes"},
-    {"modes -x", "the option -x is unknown"},
     {"respond --duration 1e9",
      "--duration: excitation.duration is 1e+09, but must be at most a billion times"},
     {"criterion --set excitation.duration=1e5", "a hundred million periods of natural frequency 10"},
@@ -108,32 +88,24 @@ constexpr Refusal refusals[] = {
     {"sweep --parameter modes=1:2:3", "--parameter: PARAMETER is 'modes'"},
     {"map --x length=1e-300:1:2", "--x: beam.length is 1e-300, but must be from 1e-09 to 1e+06 (m)"},
     {"map --shard '' --output a", "--shard is '', but must be K/M"},
-    {"map --merge ''", "--merge is '', but must be the name of a file"},
-    {"respond --output a --events a", "--events is a, but must be another file than --output"},
     {"map --quantity work --tolerance 0", "--tolerance is 0, but must be above 0 and below 1\n"},
     {"map --quantity work --tolerance 1", "--tolerance is 1, but must be above 0 and below 1\n"},
     {"map --x 15:35:3", "--x: the axis is '15:35:3', but must be PARAMETER=FROM:TO:COUNT"},
     {"map --x frequency=15:35", "--x: the axis is 'frequency=15:35', but must be"},
-    {"map --x frequency=15:35:3:ln", "--x: the axis is"},
     {"map --x hight=15:35:3", "--x: PARAMETER is 'hight', but must be one of length, area, "},
     {"map --x hight=15:35:3", " (did you mean height?)"},
     {"map --x height=1e-3:2e-3:3",
      "section.height is 0.001, but must be left out: the case has no [section] with it"},
     {"map --x length=-1:2:3", "--x: FROM is '-1', but must be a finite number above 0"},
-    {"map --x length=0:2:3", "--x: FROM is '0', but must be a finite number above 0"},
-    {"map --x length=nan:2:3", "--x: FROM is 'nan'"},
     {"map --x length=1:inf:3", "--x: TO is 'inf', but must be a finite number above FROM, 1"},
     {"map --x length=2:1:3", "--x: TO is '1', but must be a finite number above FROM, 2"},
-    {"map --x length=2:2:3", "--x: TO is '2'"},
     {"map --x length=1:2:1", "--x: COUNT is '1', but must be an integer from 2 to 2000"},
-    {"map --x length=1:2:2.5", "--x: COUNT is '2.5'"},
     {"map --x length=1:2:2 --y amplitude=0:1e-3:5:log",
      "--y: FROM is '0', but must be a finite number above 0"},
     {"map --x length=1:2:2 --y length=1:3:4",
      "both axes of the map are beam.length, but must be two parameters"},
     {"map --x frequency=15:35:3 --y amplitude=1e-4:2e-3:2 --figure map.jpg",
      "--figure is 'map.jpg', but must be a file whose name ends in .pdf, .png or .svg"},
-    {"map --json --x frequency=15:35:3 --y amplitude=1e-4:2e-3:2", "--json needs --output FILE"},
     {"map --set beam.axial_force=0 --x frequency=15:35:3 --y amplitude=1e-4:2e-3:2",
      "beam.axial_force is 0, but must be positive"},
     {"map --set beam.axial_force=1e6 --x frequency=15:35:3 --y amplitude=1e-4:2e-3:2", "buckling load"},
@@ -141,19 +113,8 @@ constexpr Refusal refusals[] = {
      "--figure none/map.png",
      "none/map.png"},
     {"respond paper --json --output h.csv --events -", "--json and --events - both want standard output"},
-    {"respond paper --json --output h.csv --spectrum -", "--json and --spectrum - both want standard output"},
-    {"squeal reed --speeds 0.1:1 --ratios 0.01:0.02 --json --map -",
-     "--json and --map - both want standard output"},
-    {"squeal reed --speeds 0.1:1 --ratios 0.01:0.02 --map a.csv --figure a.csv",
-     "--figure is a.csv, but must be another file than --map"},
     {"squeal reed --map a.csv --speeds 1e-16:1 --ratios 0.01:0.02",
      "--speeds: wall.speed is 1e-16, but must be from 1e-15 to 1e+09"},
-    {"squeal reed --map a.csv --speeds 0.1:1e12 --ratios 0.01:0.02",
-     "--speeds: wall.speed is 1e+12, but must be from 1e-15 to 1e+09"},
-    {"sweep paper --parameter amplitude=1e-4:1e-3:3 --json --output -",
-     "--json and --output - both want standard output"},
-    {"sweep paper --parameter amplitude=1e-4:1e-3:3 --output a.png --figure a.png",
-     "--figure is a.png, but must be another file than --output"},
     {"respond paper --method boundary-integral --output h.csv --set damping.ratio=0.01",
      "damping.ratio is 0.01, but must be 0 with the boundary"},
     {"respond paper --method boundary-integral --output h.csv --duration 0.1678 --set "
@@ -197,6 +158,39 @@ TEST_F(CommandLine, TellsAllMistakesOfACaseAtOnce) {
        {":2: beam.length is -2,", ":3: beam.density is '5 s'", ":4: unknown key beam.materail",
         ":6: friction.static_coefficient is -1,", "numerics.modes is 2.5"})
     EXPECT_TRUE(holds(outcome.errors, part));
+}
+
+STICKSLIP_VERIFIES(LimitsOfInput, "U2");
+class LimitsOfInput : public CommandLine {};
+
+TEST_F(LimitsOfInput, AreTheTableOfTheUserGuide) {
+  std::string table;
+  for (const auto& [of, most] : data::limit::all) table += fmt::format("| {} | {} |\n", of, most);
+  EXPECT_TRUE(holds(contents(STICKSLIP_SOURCE_DIRECTORY "/reports/manual/user-guide.md"), table));
+}
+
+// Digits of options, bytes and levels are in input_matrix_test.cpp.
+TEST_F(LimitsOfInput, AreToldInASentence) {
+  const std::string digits(40'000, '9');
+  std::string keys = "[beam]\n", dots = "a";
+  for (int i = 0; i < 40'000; ++i) dots += ".a";
+  for (int i = 0; i < 9'000; ++i) keys += fmt::format("lengtN{} = 1\n", i);
+  for (const auto& [name, text, arguments, part] : std::vector<std::array<std::string, 4>>{
+           {"a.toml", "[beam]\nlength = " + digits + ".0\n", "criterion a.toml", "a.toml:2: "},
+           {"a.csv", "beam.length\n" + digits + "\n", "criterion paper --plan a.csv",
+            "of at most 1000 characters"},
+           {"a.toml", dots + " = 1\n", "criterion a.toml",
+            "a.toml: holds 40000 dots, but must hold at most 5000"},
+           {"a.csv", std::string(10'000, ',') + "\n", "compare stick-frequencies a.csv", "10000 columns"}}) {
+    std::ofstream(name, std::ios::binary) << text;
+    expect_refused(arguments, part);
+  }
+  std::ofstream("a.toml") << keys;
+  const Outcome outcome = run("criterion a.toml");
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_EQ(std::ranges::count(outcome.errors, '\n'), 21);
+  EXPECT_TRUE(
+      outcome.errors.ends_with("\nstickslip: after so many mistakes 8980 more entries are not read\n"));
 }
 
 STICKSLIP_VERIFIES(CommandLine, "U1");
@@ -334,15 +328,29 @@ TEST_F(CommandLine, WarnsWhenTheClosedFormLeavesItsGround) {
 }
 
 TEST_F(CommandLine, OutputReplacesWhatKilledRunsLeft) {
-  // Beside a name without a folder; .h.csv.NUMBER alone is a file of such a run.
-  for (const char* name : {".h.csv.1", ".h.csv.", ".h.csv.1x", ".g.csv.1", "h.csv.1"})
+  // Beside a name without a folder; .h.csv.stickslip-NUMBER alone is a file of such a run, if it is one of this user.
+  for (const char* name : {".h.csv.stickslip-1", ".h.csv.stickslip-4", ".g.csv.stickslip-1"})
     std::ofstream(path(name)) << "left";
+  ::mkfifo(".h.csv.stickslip-2", 0600);  // opening it would wait
+  std::filesystem::create_symlink(".g.csv.stickslip-1", ".h.csv.stickslip-3");
+  const bool is_root = ::geteuid() == 0;
+  EXPECT_EQ(::chown(".h.csv.stickslip-4", is_root ? 65534 : ::geteuid(), ::getegid()), 0);
   EXPECT_EQ(shell("umask 022 && '" STICKSLIP_PROGRAM "' respond --duration 0.001 --output h.csv").status, 0);
   auto names = files();
   std::ranges::sort(names);
-  EXPECT_EQ(names, (std::vector<std::string>{".g.csv.1", ".h.csv.", ".h.csv.1x", "h.csv", "h.csv.1", "stderr",
-                                             "stdout"}));
+  EXPECT_EQ(std::erase(names, ".h.csv.stickslip-4"), is_root ? 1u : 0u);
+  EXPECT_EQ(names, (std::vector<std::string>{".g.csv.stickslip-1", ".h.csv.stickslip-2", ".h.csv.stickslip-3",
+                                             "h.csv", "stderr", "stdout"}));
   EXPECT_EQ(std::filesystem::status("h.csv").permissions(), std::filesystem::perms{0644});
+}
+
+TEST_F(CommandLine, OutputKeepsTheModeOfTheFileThatItReplaces) {
+  const std::filesystem::perms own{0600};
+  std::ofstream("old.csv") << "old";
+  std::filesystem::permissions("old.csv", own);
+  EXPECT_EQ(run("respond --duration 0.001 --output old.csv").status, 0);
+  EXPECT_NE(contents("old.csv"), "old");
+  EXPECT_EQ(std::filesystem::status("old.csv").permissions(), own);
 }
 
 TEST_F(CommandLine, AnOutputFileThatIsASymbolicLinkStaysOne) {
@@ -350,6 +358,13 @@ TEST_F(CommandLine, AnOutputFileThatIsASymbolicLinkStaysOne) {
   std::filesystem::create_symlink("real.csv", "link.csv");
   EXPECT_EQ(run("respond --duration 0.01 --output link.csv").status, 0);
   EXPECT_TRUE(std::filesystem::is_symlink("link.csv"));
+  std::filesystem::create_symlink("new.csv", "dangling.csv");
+  EXPECT_EQ(run("respond --duration 0.01 --output dangling.csv").status, 0);
+  EXPECT_EQ(contents("new.csv"), contents("real.csv"));
+  EXPECT_TRUE(std::filesystem::is_symlink("dangling.csv"));
+  for (const std::string same : {"./real.csv", "link.csv"})
+    expect_refused("respond --duration 0.01 --output real.csv --events " + same,
+                   "another file than --output");
   EXPECT_EQ(csv(contents("real.csv")).size(), 102U);
 }
 
@@ -415,7 +430,7 @@ TEST_F(Animation, ShowsNoFrameUnlessAllAreDrawn) {
 
 TEST_F(Animation, IsOneFilmWhereItsNameEndsInGif) {
   install_gnuplot(
-      "case $3 in\nfilm.gp) cat frame-*.png > \"$output\"; echo 55 frames in animation sequence >&2;;\n*)\n" +
+      "case $4 in\nfilm.gp) cat frame-*.png > \"$output\"; echo 55 frames in animation sequence >&2;;\n*)\n" +
       std::string(draw_all) + ";;\nesac\n");
   const std::string options = "animate --hz 25 --amplitude 1e-3 --duration 0.11 --frames 55 --output film.";
   const Outcome outcome = run(options + "gif");

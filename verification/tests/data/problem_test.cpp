@@ -273,10 +273,11 @@ TEST(InputLimits, MayHaveASignBeforeAFiniteNumber) {
 
 TEST(InputLimits, IsShownInMessagesCharacterByCharacter) {
   const std::vector<std::string> characters{" ",      "~",      "\u00a0", "\u07ff",     "\u0800",
-                                            "\ud7ff", "\ue000", "\uffff", "\U00010000", "\U0010ffff"};
+                                            "\ud7ff", "\ue000", "\ufffd", "\U00010000", "\U0010ffff"};
   for (const std::string& character : characters)
     EXPECT_EQ(data::printable("a" + character + "b"), "a" + character + "b");
-  for (const std::string control : {"\x01", "\x1f", "\x7f", "\xc2\x80", "\xc2\x9f", "\t", "\n"})
+  for (const std::string control :
+       {"\x01", "\x1f", "\x7f", "\xc2\x80", "\xc2\x9f", "\t", "\n", "\ufffe", "\uffff"})
     EXPECT_EQ(data::printable("a" + control + "b"), "a?b");
   // Overlong forms, surrogates, what lies beyond U+10FFFF, and what is cut off: a mark for each byte.
   for (const std::string none :

@@ -6,6 +6,7 @@
 
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/data/csv_text.hpp"
+#include "stickslip/data/input_text.hpp"
 #include "stickslip/data/user_table.hpp"
 #include "support/input_folder.hpp"
 #include "support/testing.hpp"
@@ -278,9 +279,9 @@ TEST_F(UserTable, RefusesAnotherFormatThanText) {
            {"\x93NUMPY", ": is a NumPy file, but must be a table in text, as CSV"},
            {gzip("beam,mode,frequency\npaper,1,25\n").substr(0, 20),
             ": is no complete file in gzip's format"},
-           {gzip(std::string(data::largest_table, ' ')),
+           {gzip(std::string(data::limit::table_bytes.most, ' ')),
             ":1: there is no line with the names of the columns"},
-           {gzip(std::string(data::largest_table + 1, ' ')),
+           {gzip(std::string(data::limit::table_bytes.most + 1, ' ')),
             ": holds more than the 50000000 bytes that are allowed"}})
     EXPECT_EQ(error_message("stick-frequencies", text), "mine.csv" + sentence);
 }

@@ -12,10 +12,8 @@
 
 namespace stickslip::data {
 
-constexpr std::size_t largest_table = 50'000'000;  ///< bytes
-
 /// The text of a table: a file, standard input for "-", or what a file in gzip's format holds, at most
-/// largest_table bytes. Throws InputError for what cannot be read, and for a format that is no text.
+/// limit::table_bytes. Throws InputError for what cannot be read, and for a format that is no text.
 [[nodiscard]] std::string read_table_text(const std::filesystem::path& file);
 
 /// Reads a table row by row. Cells are separated by commas, semicolons, tabs or else blanks, as in the line of

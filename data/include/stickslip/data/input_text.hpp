@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// What reading a file of any format needs: its bytes, parts of it fit for a message, and the nearest known
-/// name to a misspelt one.
+/// What reading a file of any format needs: its bytes, how much it may hold, parts of it fit for a message or
+/// another output, and the nearest known name to a misspelt one.
 
+#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <string>
@@ -12,16 +13,54 @@
 
 namespace stickslip::data {
 
-/// The bytes of a file, which may have `most` of them. Throws InputError, naming the file, if it cannot be
+/// What an input may hold at most. The user guide shows the table.
+struct Limit {
+  std::string_view of;
+  std::size_t most;
+};
+namespace limit {
+inline constexpr Limit case_bytes{"bytes of a case", 1'000'000},
+    case_dots{"dots in a case, as each one in a key opens a table", 5000},
+    package_bytes{"bytes of `datapackage.json`", 10'000'000},
+    package_levels{"levels of nesting in `datapackage.json`", 100},
+    table_bytes{"bytes of a table, also once decompressed", 50'000'000},
+    table_columns{"columns of a table", 10'000}, shard_bytes{"bytes of a shard of a map", 500'000'000},
+    map_values{"values along an axis of a map", 2000},
+    number_length{"characters of a number with its unit", 1000},
+    mistakes{"mistakes of a case, after which the rest is not read", 20};
+inline constexpr std::array all{case_bytes,    case_dots,   package_bytes, package_levels, table_bytes,
+                                table_columns, shard_bytes, map_values,    number_length,  mistakes};
+}  // namespace limit
+
+/// The bytes of a file, of which there may be `most`. Throws InputError, naming the file, if it cannot be
 /// read, is empty or larger.
 [[nodiscard]] std::string read_bounded(const std::filesystem::path& file, std::size_t most);
+
+/// From here on, or no longer, no AtomicFile may be a file that read_bounded() has read.
+void protect_inputs(bool from_here_on);
+/// Throws InputError, naming the output, if it is such a file, by whatever name.
+void require_no_input(const std::filesystem::path& output);
 
 /// Without blanks at either end.
 [[nodiscard]] std::string_view trimmed(std::string_view text);
 
-/// The text on one line for use in a message: control characters and what is no UTF-8 replaced, anything
+/// The text on one line for use in a message: control characters, what is no UTF-8 and what XML forbids replaced, anything
 /// beyond `longest` bytes cut off.
 [[nodiscard]] std::string printable(std::string_view text, std::size_t longest = 60);
+
+// A text that may hold anything, such as the name of a file, in an output: one function for each format. For JSON
+// nlohmann's dump() does it.
+
+/// For a terminal, and for XML, in which the library that writes the file escapes < > & and quotes: printable() line
+/// by line.
+[[nodiscard]] std::string plain_text(std::string_view text);
+
+/// A cell of a CSV file (RFC 4180): in quotes if it holds a comma, a quote or a line break. A text that a
+/// spreadsheet would compute, as it begins with = + - or @ and is no number, has an apostrophe in front.
+[[nodiscard]] std::string csv_cell(std::string_view text);
+
+/// A string of gnuplot in double quotes, in which nothing is computed.
+[[nodiscard]] std::string gnuplot_string(std::string_view text);
 
 /// "a, b, c"
 [[nodiscard]] std::string joined(const std::vector<std::string>& names);
