@@ -13,6 +13,8 @@
 #include <system_error>
 #include <utility>
 
+#include "stickslip/data/input_text.hpp"
+
 namespace stickslip::data {
 
 namespace fs = std::filesystem;
@@ -20,10 +22,18 @@ namespace fs = std::filesystem;
 namespace {
 
 std::string prefix_of_temporaries(const fs::path& target) {
-  return std::string(".").append(target.filename().string()).append(".");
+  return std::string(".").append(target.filename().string()).append(".stickslip-");
 }
 
-// Temporary files of the target that no process holds any more.
+// Where a path leads to in the end, also by links to what does not exist yet.
+fs::path followed(fs::path path, std::error_code& error) {
+  constexpr int most_links = 40;
+  for (int links = 0; links < most_links && fs::is_symlink(fs::symlink_status(path, error)); ++links)
+    path = path.parent_path() / fs::read_symlink(path, error);
+  return fs::weakly_canonical(fs::absolute(path, error), error);
+}
+
+// Temporary files of the target, made by this user, that no process holds any more.
 void remove_abandoned(const fs::path& target) {
   const std::string prefix = prefix_of_temporaries(target);
   std::error_code error;  // what cannot be listed or removed is in nobody's way
@@ -32,9 +42,12 @@ void remove_abandoned(const fs::path& target) {
     if (!name.starts_with(prefix) || name.size() == prefix.size() ||
         name.find_first_not_of("0123456789", prefix.size()) != std::string::npos)
       continue;
-    const int descriptor = ::open(entry.path().c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC);
+    const int descriptor = ::open(entry.path().c_str(), O_RDONLY | O_NONBLOCK | O_NOFOLLOW | O_CLOEXEC);
     if (descriptor < 0) continue;
-    if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0) ::unlink(entry.path().c_str());
+    struct stat status {};
+    const bool is_own =
+        ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode) && status.st_uid == ::geteuid();
+    if (is_own && ::flock(descriptor, LOCK_EX | LOCK_NB) == 0) ::unlink(entry.path().c_str());
     ::close(descriptor);
   }
 }
@@ -59,13 +72,12 @@ AtomicFile::AtomicFile(const std::string& path) : path_(path) {
     stream_ = stdout;
     return;
   }
-  std::error_code error;
-  const auto status = fs::status(path, error);
-  if (fs::exists(status) && !fs::is_regular_file(status)) {
+  if (is_no_regular_file(path)) {
     open_directly();
     return;
   }
-  target_ = fs::weakly_canonical(path, error);
+  std::error_code error;
+  target_ = followed(path, error);
   if (error) throw OutputError("output " + path + " cannot be written: " + error.message());
   open_temporary();
 }
@@ -81,6 +93,7 @@ void AtomicFile::open_directly() {
 }
 
 void AtomicFile::open_temporary() {
+  require_no_input(target_);
   if (::access(target_.c_str(), W_OK) != 0 && errno != ENOENT) fail();
   remove_abandoned(target_);
   const fs::path beside =
@@ -88,6 +101,8 @@ void AtomicFile::open_temporary() {
   const int descriptor = create_locked(beside);
   if (descriptor < 0) fail();
   temporary_ = beside;
+  constexpr mode_t permissions = 0777;
+  if (struct stat old{}; ::stat(target_.c_str(), &old) == 0) ::fchmod(descriptor, old.st_mode & permissions);
   stream_ = ::fdopen(descriptor, "wb");
   if (stream_ == nullptr) fail();
 }
@@ -102,6 +117,7 @@ void AtomicFile::commit() {
   if (!temporary_.empty() && ::fsync(::fileno(stream_)) != 0) fail();
   if (std::fclose(std::exchange(stream_, nullptr)) != 0) fail();
   if (temporary_.empty()) return;
+  require_no_input(target_);
   if (std::rename(temporary_.c_str(), target_.c_str()) != 0) fail();
 }
 
@@ -115,9 +131,21 @@ void AtomicFile::fail() const {
                     " cannot be written: " + reason);
 }
 
+bool is_no_regular_file(const fs::path& output) {
+  std::error_code error;
+  const auto status = fs::status(output, error);
+  return fs::exists(status) && !fs::is_regular_file(status);
+}
+
+bool are_one_file(const fs::path& one, const fs::path& other) {
+  std::error_code error;
+  return one == other || followed(one, error) == followed(other, error) || fs::equivalent(one, other, error);
+}
+
 TemporaryFolder::TemporaryFolder() {
   const char* const chosen = std::getenv("TMPDIR");
-  std::string name = std::string(chosen == nullptr ? "/tmp" : chosen) + "/stickslip-XXXXXX";
+  const bool is_chosen = chosen != nullptr && *chosen != '\0';
+  std::string name = std::string(is_chosen ? chosen : "/tmp") + "/stickslip-XXXXXX";
   if (::mkdtemp(name.data()) == nullptr)
     throw std::system_error(errno, std::generic_category(),
                             "the temporary folder " + name + " cannot be made");
@@ -126,7 +154,7 @@ TemporaryFolder::TemporaryFolder() {
 
 TemporaryFolder::~TemporaryFolder() {
   std::error_code ignored;  // nothing is left to be done about a folder that cannot be removed
-  fs::remove_all(path_, ignored);
+  if (fs::remove_all(path_, ignored); ignored) ::rmdir(path_.c_str());  // needs no descriptor if it is empty
 }
 
 void write_text(const std::filesystem::path& file, std::string_view text) {

@@ -12,6 +12,7 @@
 
 #include "stickslip/data/atomic_file.hpp"
 #include "stickslip/data/input_error.hpp"
+#include "stickslip/data/input_text.hpp"
 
 namespace stickslip::report {
 
@@ -34,7 +35,10 @@ int lock_folder(const fs::path& folder) {
 }
 
 void move(const fs::path& file, const fs::path& target) {
+  data::require_no_input(target);
   std::error_code error;
+  if (const auto old = fs::status(target, error); fs::is_regular_file(old))
+    fs::permissions(file, old.permissions(), error);
   fs::rename(file, target, error);
   if (error)
     throw std::runtime_error(fmt::format("{} cannot be written: {}", target.string(), error.message()));
@@ -48,7 +52,7 @@ OutputFolder::OutputFolder(const fs::path& folder) {
   if (!error) folder_ = fs::canonical(folder, error);
   if (error) throw data::InputError(fmt::format("output folder {}: {}", folder.string(), error.message()));
   lock_ = lock_folder(folder_);
-  scratch_ = folder_ / ".unfinished";
+  scratch_ = folder_ / ".stickslip-unfinished";
   fs::remove_all(scratch_, error);  // what an interrupted run has left
   if (!error) fs::create_directory(scratch_, error);
   if (!error) return;
