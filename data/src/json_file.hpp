@@ -43,7 +43,7 @@ class JsonNode {
   /// Throws for a key of an object that is nearly a known one; any other is the writer's own.
   void require_spelling(const std::vector<std::string>& known) const;
 
-  /// A string that is not empty.
+  /// A string that is not empty, on one line that a terminal may show.
   [[nodiscard]] std::string text() const;
   [[nodiscard]] std::vector<std::string> texts() const;
   [[nodiscard]] double number() const;

@@ -175,7 +175,7 @@ const Key& key_named(std::string_view path) {
 }
 
 Case case_of(const std::string& name, const CaseNumbers& numbers) {
-  return {.name = name,
+  return {.name = printable(name, 255),  // that of a file, which may hold anything
           .beam = Beam(numbers.beam),
           .friction = FrictionLaw(numbers.friction),
           .excitation = HarmonicExcitation(numbers.excitation),

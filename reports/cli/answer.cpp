@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "stickslip/data/case_file.hpp"
+#include "stickslip/data/input_text.hpp"
 #include "studies/common/convergence.hpp"
 
 namespace stickslip::cli {
@@ -119,17 +120,12 @@ Json Table::json() const {
 }
 
 std::string Table::csv() const {
-  const auto quoted = [](std::string cell) {
-    if (cell.find_first_of(",\"\n") == std::string::npos) return cell;
-    for (auto at = cell.find('"'); at != std::string::npos; at = cell.find('"', at + 2))
-      cell.insert(at, 1, '"');
-    return '"' + cell + '"';
-  };
   std::string text;
-  for (std::size_t i = 0; i < columns.size(); ++i) text += (i > 0 ? "," : "") + quoted(columns[i].key);
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    text += (i > 0 ? "," : "") + data::csv_cell(columns[i].key);
   for (const auto& row : rows)
     for (std::size_t i = 0; i < row.size(); ++i)
-      text += (i > 0 ? "," : "\n") + (row[i].json.is_string() ? quoted(row[i].json)
+      text += (i > 0 ? "," : "\n") + (row[i].json.is_string() ? data::csv_cell(row[i].json.get<std::string>())
                                       : row[i].json.is_null() ? ""
                                                               : row[i].json.dump());
   return text + "\n";
@@ -168,8 +164,8 @@ void require_finite(const Json& answer, const std::string& name) {
   }
 }
 
-void print_json(const Json& object) {
-  fmt::print("{}\n", object.dump(2, ' ', false, Json::error_handler_t::replace));
+std::string json_text(const Json& object) {
+  return data::plain_text(object.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace stickslip::cli

@@ -105,6 +105,7 @@ struct Answer {
 /// data::throw_overflow().
 void require_finite(const Json& answer, const std::string& name = "the answer");
 
-void print_json(const Json& object);
+/// The text of a JSON file; bytes that are no UTF-8 become U+FFFD, and what JSON may hold and a terminal not becomes ?.
+[[nodiscard]] std::string json_text(const Json& object);
 
 }  // namespace stickslip::cli

@@ -127,11 +127,12 @@ Answer compared(const CompareOptions& options, Outputs& outputs) {
   outputs.write("--junit", [&] { return junit_of(all); });
   const bool is_one = options.manifest.empty();
   if (is_one && !all.front().comparison) throw data::InputError(all.front().refusal);
-  outputs.write("the table", [&] { return is_one ? text_of(*all.front().comparison) : text_of(all); });
+  outputs.write("the table",
+                [&] { return data::plain_text(is_one ? text_of(*all.front().comparison) : text_of(all)); });
   if (is_one)
     outputs.write_json(json_of(*all.front().comparison, options.file));
   else
-    outputs.write("--json", [&] { return json_of(all).dump(2) + "\n"; });
+    outputs.write("--json", [&] { return json_text(json_of(all)); });
   outputs.draw(options.name,
                [&](const report::Look& look) { return report::draw(*all.front().comparison, look); });
   Answer answer;

@@ -8,6 +8,8 @@
 #include <pugixml.hpp>
 #include <sstream>
 
+#include "stickslip/data/input_text.hpp"
+
 namespace stickslip::cli {
 
 namespace {
@@ -164,11 +166,15 @@ std::string junit_of(const std::vector<Judged>& all) {
   declaration.append_attribute("encoding") = "UTF-8";
   pugi::xml_node suites = document.append_child("testsuites");
   std::vector<TestCase> every;
-  const auto describe = [](pugi::xml_node node, const std::string& name, const std::vector<TestCase>& cases) {
+  const auto set = [](pugi::xml_node node, const char* attribute, const std::string& value) {
+    node.append_attribute(attribute) = data::plain_text(value).c_str();
+  };
+  const auto describe = [&](pugi::xml_node node, const std::string& name,
+                            const std::vector<TestCase>& cases) {
     const auto number_of = [&](const char* outcome) {
       return static_cast<long long>(std::ranges::count(cases, outcome, &TestCase::outcome));
     };
-    node.append_attribute("name") = name.c_str();
+    set(node, "name", name);
     node.append_attribute("tests") = static_cast<long long>(cases.size());
     node.append_attribute("failures") = number_of("failure");
     node.append_attribute("errors") = number_of("error");
@@ -179,15 +185,15 @@ std::string junit_of(const std::vector<Judged>& all) {
     describe(suite, judged.name, cases);
     for (const TestCase& one : cases) {
       pugi::xml_node test = suite.append_child("testcase");
-      test.append_attribute("classname") = judged.name.c_str();
-      test.append_attribute("name") = one.name.c_str();
+      set(test, "classname", judged.name);
+      set(test, "name", one.name);
       if (one.outcome.empty()) continue;
       pugi::xml_node outcome = test.append_child(one.outcome.c_str());
-      outcome.append_attribute("message") = one.message.c_str();
-      outcome.append_attribute("type") = one.type.c_str();
+      set(outcome, "message", one.message);
+      set(outcome, "type", one.type);
     }
     const std::string log = judged.comparison ? text_of(*judged.comparison) : judged.refusal + "\n";
-    suite.append_child("system-out").text() = (judged.file + "\n" + log).c_str();
+    suite.append_child("system-out").text() = data::plain_text(judged.file + "\n" + log).c_str();
     every.insert(every.end(), cases.begin(), cases.end());
   }
   describe(suites, all.size() == 1 ? all.front().name : "stickslip compare", every);

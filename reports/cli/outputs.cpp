@@ -39,7 +39,9 @@ void require_compatible(const std::vector<Outputs::Named>& files, bool is_json) 
     if (is_json && path == "-")
       throw data::InputError(
           fmt::format("--json and {0} - both want standard output, but --json needs {0} FILE", option));
-    const auto other = std::ranges::find(files.begin(), file, path, &Outputs::Named::path);
+    const auto other = std::find_if(files.begin(), file, [&path = path](const auto& before) {
+      return data::are_one_file(before.path, path);
+    });
     if (!path.empty() && other != file)
       throw data::FieldError(option, data::printable(path), "another file than " + other->option);
   }
@@ -73,6 +75,7 @@ void Outputs::about(const data::Case& problem) {
 
 void Outputs::open(const std::vector<Named>& files) {
   require_compatible(files, is_json_);
+  interruption_.emplace([this] { return last_words(); });
   for (const Named& name : files) {
     if (name.path.empty()) continue;
     if (name.option == "--figure") {
@@ -80,9 +83,14 @@ void Outputs::open(const std::vector<Named>& files) {
       (void)report::templates_directory();  // throws now rather than after the work
       report::require_tool("gnuplot");
     }
-    files_.emplace_back(name);
+    // A signal finds a file in the list, or none; what waits for the reader of a pipe leaves none.
+    auto undisturbed = hold();
+    if (data::is_no_regular_file(name.path)) undisturbed.unlock();
+    std::list<Open> opened;
+    opened.emplace_back(name);
+    if (!undisturbed) undisturbed.lock();
+    files_.splice(files_.end(), opened);
   }
-  interruption_.emplace([this] { return last_words(); });
 }
 
 void Outputs::on_interrupt(std::function<std::string()> sentence) {
@@ -144,7 +152,7 @@ void Outputs::write_table(std::string_view option, const std::function<std::stri
 
 void Outputs::write_json(const Json& answer) {
   head_.update(answer);
-  write("--json", [&] { return head_.dump(2) + "\n"; });
+  write("--json", [&] { return json_text(head_); });
 }
 
 void Outputs::draw(const std::string& title, const std::function<std::string(const report::Look&)>& drawing) {
@@ -185,15 +193,14 @@ std::string Outputs::last_words() {
 void Outputs::print(Answer answer) {
   if (progress_) progress_->finish();
   if (answer.warnings) {
-    for (const std::string& warning : *answer.warnings)
-      fmt::print(stderr, "stickslip: warning: {}\n", warning);
+    for (const std::string& warning : *answer.warnings) report::tell("stickslip: warning", warning);
     answer.add_members({{"warnings", *answer.warnings}});
   }
   head_.update(answer.json);
   if (is_json_)
-    print_json(head_);
+    fmt::print("{}", json_text(head_));
   else if (!takes_standard_output())
-    fmt::print("{}{}", beam_, answer.text);
+    fmt::print("{}", data::plain_text(beam_ + answer.text));
 }
 
 }  // namespace stickslip::cli

@@ -8,6 +8,7 @@
 
 #include "stickslip/data/csv_text.hpp"
 #include "stickslip/data/input_error.hpp"
+#include "stickslip/data/input_text.hpp"
 
 namespace stickslip::report {
 
@@ -37,15 +38,16 @@ void CsvTable::add_numbers(const std::vector<double>& values) {
 }
 
 CsvTable& CsvTable::add(std::string_view cell) {
-  if (cell.find_first_of(",\"\r\n") != std::string_view::npos)
-    throw std::invalid_argument(
-        fmt::format("the cell '{}' holds a comma, a quote or a line break, but must hold none", cell));
   if (cells_++ > 0) text_ += ',';
-  text_ += cell;
+  text_ += data::csv_cell(cell);
   return *this;
 }
 
-CsvTable& CsvTable::add(std::optional<double> value) { return add(csv_number(value)); }
+CsvTable& CsvTable::add(std::optional<double> value) {
+  if (cells_++ > 0) text_ += ',';
+  text_ += csv_number(value);
+  return *this;
+}
 
 void CsvTable::end_row() {
   require_columns(cells_);

@@ -16,13 +16,11 @@ class CsvTable {
   /// Columns as in "time_s [s], steps [1], state [-]": 1 for a pure number, - for a word.
   CsvTable(std::string_view title, std::string_view columns);
 
-  /// Throws std::invalid_argument if there are not as many cells as columns, or if a cell holds a comma, a
-  /// quote or a line break.
+  /// Throws std::invalid_argument if there are not as many cells as columns.
   void add_row(const std::vector<std::string>& cells);
   void add_numbers(const std::vector<double>& values);
 
-  /// A row cell by cell, for tables of millions of rows; without a value the cell is empty. Throws std::invalid_argument
-  /// for a text as add_row().
+  /// A row cell by cell, for tables of millions of rows; without a value the cell is empty.
   CsvTable& add(std::string_view cell);
   CsvTable& add(std::optional<double> value);
   void end_row();

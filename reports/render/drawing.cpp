@@ -46,14 +46,6 @@ void remove_date(const fs::path& pdf) {
   data::write_text(pdf, bytes);
 }
 
-// A string of gnuplot.
-std::string quoted(const std::string& text) {
-  std::string doubled;
-  for (const char c : data::printable(text, 200))
-    doubled += c == '\'' ? std::string("''") : std::string(1, c);
-  return "'" + doubled + "'";
-}
-
 }  // namespace
 
 std::string figure_format(const std::string& figure) {
@@ -75,12 +67,14 @@ std::vector<fs::path> draw_in_scratch(const std::string& script, const Look& loo
   const fs::path folder = output.scratch() / "figures";
   if (!fs::exists(folder)) fs::copy(templates_directory() / "figures", folder);
   const fs::path log = folder / (drawings.front() + ".log");
-  std::string definitions = fmt::format("folder={}; format={}; output={}; heading={}", quoted(tables),
-                                        quoted(look.format), quoted(drawings.front()), quoted(look.title));
+  std::string definitions =
+      fmt::format("folder={}; format={}; output={}; heading={}", data::gnuplot_string(tables),
+                  data::gnuplot_string(look.format), data::gnuplot_string(drawings.front()),
+                  data::gnuplot_string(look.title));
   if (look.size_cm)
     definitions +=
         fmt::format("; chosen_width={}; chosen_height={}", look.size_cm->first, look.size_cm->second);
-  const int status = run_tool("gnuplot", {"-e", definitions, script + ".gp"}, folder, log);
+  const int status = run_tool("gnuplot", {"-d", "-e", definitions, script + ".gp"}, folder, log);
   std::vector<fs::path> files;
   for (const std::string& drawing : drawings) {
     files.push_back(folder / drawing);

@@ -93,7 +93,7 @@ using Completion = Documented;
 STICKSLIP_VERIFIES(HelpExamples, "U9");
 // The first one of a command that has --json answers so, as the schema says.
 TEST_F(HelpExamples, AreThereForEveryCommandAndRun) {
-  install_gnuplot("case $3 in\nanimation.gp)\n" + std::string(draw_all) +
+  install_gnuplot("case $4 in\nanimation.gp)\n" + std::string(draw_all) +
                   ";;\n*) echo drawn > $output ;;\nesac\n");
   std::ofstream(path("judge.py")) << R"(import json, jsonschema, sys
 answer, schema = json.load(sys.stdin), json.load(open(sys.argv[1]))

@@ -11,6 +11,7 @@
 #include "comparison/diagnosis/diagnosis.hpp"
 #include "program.hpp"
 #include "stickslip/data/case_file.hpp"
+#include "stickslip/data/csv_text.hpp"
 #include "stickslip/data/input_text.hpp"
 #include "stickslip/data/reference.hpp"
 #include "stickslip/data/user_table.hpp"
@@ -725,6 +726,7 @@ class OptionInput : public Drawing {
  protected:
   void SetUp() override {
     Drawing::SetUp();
+    plant_neighbours();
     fs::create_directory("large");
     for (const std::string file : {"large/datapackage.json", "large/results.xml"}) {
       std::ofstream{file};
@@ -733,6 +735,38 @@ class OptionInput : public Drawing {
     install_gnuplot(
         "[ -n \"$output\" ] && echo drawn > \"$output\"; for i in 0001 0002; do echo drawn > frame-$i.png; "
         "done\n");
+  }
+
+  // Files of the user whose names are near those of outputs, or of what the program makes on the way.
+  [[nodiscard]] static std::vector<std::string> neighbours() {
+    std::vector<std::string> all{"film/.unfinished/mine", "report/.unfinished/mine", "new.toml~", "out.csv~"};
+    for (const std::string output :
+         {"out.csv", ".out.csv", ".new.toml", "film/.motion.csv", "report/.fig2.csv"})
+      for (const char* after :
+           {".1", ".99", ".20261127", ".stickslip-", ".stickslip-1x", ".swp", ".bak", ".tmp"})
+        all.push_back(output + after);
+    return all;
+  }
+
+  static void plant_neighbours() {
+    fs::create_directories("film/.unfinished"), fs::create_directories("report/.unfinished");
+    for (const std::string& file : neighbours()) std::ofstream(file) << "mine";
+  }
+
+  static void expect_neighbours_untouched(const std::string& command) {
+    for (const std::string& file : neighbours()) EXPECT_EQ(contents(file), "mine") << command << ": " << file;
+  }
+
+  // The words of the command with its usual arguments, with that case if there is one.
+  [[nodiscard]] static std::vector<std::string> usual(const Command& command,
+                                                      const std::string& problem = "") {
+    std::istringstream name(command.words());
+    std::vector<std::string> words{std::istream_iterator<std::string>(name), {}};
+    for (const auto& [argument, value] : command.arguments) {
+      if (argument.starts_with('-')) words.push_back(argument);
+      words.push_back(argument == "CASE" && !problem.empty() ? problem : value);
+    }
+    return words;
   }
 
   struct Listed {
@@ -772,7 +806,7 @@ class OptionInput : public Drawing {
   [[nodiscard]] std::vector<std::string> values(const std::string& item, const std::string& defect) const {
     if (bad_values.contains(defect)) return {bad_values.at(defect)};
     if (defect != "100 MB") return {""};
-    std::vector<std::string> large{std::string(100'000, 'a')};
+    std::vector<std::string> large{std::string(100'000, '9')};  // also as a number
     const bool is_read = item.ends_with(" CASE") || item == "compare FILE" || item == "compare --events" ||
                          item == "map --merge";
     if (is_read) large.push_back("large/datapackage.json");
@@ -849,8 +883,10 @@ class OptionInput : public Drawing {
  private:
   void try_one(const BadInput& row, const std::vector<std::string>& words,
                std::vector<std::string> before) const {
+    plant_neighbours();
     const Outcome outcome = run_here(words);
     const std::string arguments = fmt::format("{}", fmt::join(words, " "));
+    expect_neighbours_untouched(arguments.substr(0, 300));
     // No reference is known as well as such a tolerance asks for, and no sample covers so short a time.
     const bool is_undecided = row.item == "compare --tolerance" || row.item == "compare --until";
     const bool is_tiny =
@@ -956,6 +992,86 @@ TEST_F(OptionInput, WholeNumbersAreDecimal) {
   }
   EXPECT_GT(tried, 20);
   EXPECT_EQ(data::load_case("paper", {data::Override::parse("numerics.modes=010")}).numerics.modes(), 10);
+}
+
+// A limit of 1 kB for each file stands for a full disk.
+TEST_F(OptionInput, LeavesTheFilesOfTheUserWhereAnOutputFails) {
+  for (const Command& command : commands()) {
+    (void)shell(fmt::format("ulimit -f 1; '{}' '{}'", STICKSLIP_PROGRAM, fmt::join(usual(command), "' '")));
+    expect_neighbours_untouched(command.name);
+  }
+}
+
+STICKSLIP_VERIFIES(InputFile, "U2");
+class InputFile : public OptionInput {};
+
+// By whatever name: another spelling, a symbolic link, a hard link.
+TEST_F(InputFile, IsNoOutputOfTheSameCommand) {
+  using Words = std::vector<std::string>;
+  ASSERT_EQ(run("map --x length=1.9:2:2 --y force=400:500:2 --shard 1/1 --output shard").status, 0);
+  const std::string results = "beam,mode,frequency\npaper,1,25\n";
+  std::vector<std::pair<Words, std::string>> runs{
+      {{"criterion", "INPUT", "--output", "out.csv"}, contents(data::find_case("paper"))},
+      {{"criterion", "paper", "--plan", "INPUT", "--output", "out.csv"}, "beam.length\n1\n2\n"},
+      {{"compare", "stick-frequencies", "INPUT", "--json", "out.csv"}, results},
+      {{"compare", "stick-frequencies", "INPUT", "--junit", "out.csv"}, results},
+      {{"map", "--merge", "INPUT", "--output", "out.csv"}, contents("shard")}};
+  for (const Command& command : commands())
+    if (const Words words = usual(command, "INPUT");
+        std::ranges::count(words, "INPUT") + std::ranges::count(words, "out.csv") == 2)
+      runs.emplace_back(words, contents(data::find_case(command.arguments.front().second)));
+  EXPECT_EQ(runs.size(), 5u + 4u);  // respond, map, sweep, squeal
+  for (auto& [words, text] : runs) {
+    std::ofstream("out.csv", std::ios::binary) << text;
+    fs::create_symlink("out.csv", "link.csv"), fs::create_hard_link("out.csv", "hard.csv");
+    for (const char* name : {"out.csv", "./out.csv", "link.csv", "hard.csv"}) {
+      Words with_name = words;
+      std::ranges::replace(with_name, "INPUT", name);
+      const Outcome outcome = run_here(with_name);
+      EXPECT_EQ(outcome.status, 2) << fmt::format("{}", fmt::join(with_name, " "));
+      EXPECT_TRUE(holds(outcome.errors, "out.csv is a file that the command reads, but must be another one"));
+      EXPECT_EQ(contents("out.csv"), text);
+    }
+    for (const char* name : {"out.csv", "link.csv", "hard.csv"}) fs::remove(name);
+  }
+}
+
+// The name of a file may hold anything, and is the name of its case in every output.
+TEST_F(InputFile, MayHaveAnyName) {
+  const std::string name = "=x\x1b]0;p\x07\xff,1\n2,\"'<b>&.toml";
+  const auto expect_plain = [](const std::string& text) {
+    EXPECT_TRUE(std::ranges::none_of(text, [](char c) { return c == '\x7f' || (c >= '\0' && c < '\n'); }))
+        << text;
+    EXPECT_EQ(text.find_first_of("\r\x1b"), std::string::npos) << text;
+    EXPECT_EQ(text.find("&#"), std::string::npos) << text;  // XML 1.0 has no such character
+  };
+  int tables = 0;
+  for (const Command& command : commands()) {
+    auto words = usual(command, name);
+    if (std::ranges::count(words, name) == 0) continue;
+    fs::copy_file(data::find_case(command.arguments.front().second), name,
+                  fs::copy_options::overwrite_existing);
+    if (command.name == "criterion") words.insert(words.end(), {"--output", "out.csv"});
+    for (const char* form : {"", "--json"}) {
+      if (*form != '\0') words.emplace_back(form);
+      const Outcome outcome = run_here(words);
+      EXPECT_EQ(outcome.status, 0) << command.name << outcome.errors;
+      for (const std::string& text : {outcome.output, outcome.errors, contents("out.csv")})
+        expect_plain(text);
+    }
+    if (!fs::exists("out.csv")) continue;
+    const std::string table = contents("out.csv");
+    data::CsvReader rows("out.csv", table);
+    while (const auto row = rows.next_row()) EXPECT_FALSE(row->front().starts_with('=')) << row->front();
+    fs::remove("out.csv"), ++tables;
+  }
+  EXPECT_EQ(tables, 5);
+  std::ofstream(name) << "beam,mode,frequency\npaper,1,25\n";
+  const Outcome judged =
+      run_here({"compare", "stick-frequencies", name, "--json", "out.json", "--junit", "out.xml"});
+  EXPECT_EQ(judged.status, 1) << judged.errors;
+  for (const std::string& text : {judged.output, contents("out.json"), contents("out.xml")})
+    expect_plain(text);
 }
 
 // --- The exceptions

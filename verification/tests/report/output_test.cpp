@@ -61,8 +61,8 @@ TEST_F(ReportOutput, KeepsTheOldPdfWithoutLatex) {
 }
 
 TEST_F(ReportOutput, ClearsWhatAnInterruptedRunHasLeft) {
-  fs::create_directories(folder_ / ".unfinished");
-  data::write_text(folder_ / ".unfinished" / "stale", "x");
+  fs::create_directories(folder_ / ".stickslip-unfinished");
+  data::write_text(folder_ / ".stickslip-unfinished" / "stale", "x");
   const report::OutputFolder output(folder_);
   EXPECT_TRUE(fs::is_empty(output.scratch()));
 }
@@ -105,6 +105,26 @@ class DrawnFigures : public ReportOutput {
 
   const fs::path templates_ = folder_ / "templates", output_ = folder_ / "output";
 };
+
+STICKSLIP_VERIFIES(DrawnTitles, "U3");
+// Drawn by gnuplot itself, whatever its user has it do at its start.
+TEST(DrawnTitles, AreThoseThatAreAskedFor) {
+  const data::TemporaryFolder home;
+  data::write_text(home.path() / ".gnuplot", "print 'hello'\nset label 1 'mine' at screen 0.5,0.5\n");
+  const std::string old = std::getenv("HOME");
+  ::setenv("HOME", home.path().c_str(), 1);
+  for (const auto& [title, drawn] : std::vector<std::pair<std::string, std::string>>{
+           {"'quoted' beam", "'quoted' beam"},
+           {"the '' beam", "the '' beam"},
+           {"a^\\", "a^\\ "},
+           {"\"`echo no`\" \\n @a $x", "\"`echo no`\" \\n @a $x"}}) {
+    const std::string svg = report::drawing_of("modes", {.format = "svg", .title = title},
+                                               {{"modes.csv", "# t\n# units\nx,mode_1\n0,0\n1,1\n2,1\n"}});
+    EXPECT_TRUE(testing::holds(svg, ">" + drawn + "<"));
+    EXPECT_EQ(svg.find("mine"), std::string::npos);
+  }
+  ::setenv("HOME", old.c_str(), 1);
+}
 
 STICKSLIP_VERIFIES(DrawnFigures, "U3");
 TEST_F(DrawnFigures, AppearInAllFormatsOrInNone) {

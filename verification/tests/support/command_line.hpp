@@ -137,9 +137,9 @@ class Drawing : public CommandLine {
       "  first_frame=$((first_frame + 1))\n"
       "done\n";
 
-  /// A shell script that is called as gnuplot is: -e 'name=value; ...' script.
+  /// A shell script that is called as gnuplot is: -d -e 'name=value; ...' script.
   void install_gnuplot(const std::string& body) const {
-    install_tool("gnuplot", "eval \"$2\"\n[ -f \"$3\" ] || exit 1\n" + body);
+    install_tool("gnuplot", "eval \"$3\"\n[ -f \"$4\" ] || exit 1\n" + body);
   }
 
   /// A shell script that stands before a program of that name.
