@@ -136,12 +136,13 @@ std::string printable(std::string_view text, std::size_t longest) {
 }
 
 std::string plain_text(std::string_view text) {
-  std::string lines;
-  for (auto end = text.find('\n'); end != std::string_view::npos; end = text.find('\n')) {
-    lines += printable(text.substr(0, end), text.size()) + "\n";
+  std::string parts;
+  for (auto end = text.find_first_of("\n\t"); end != std::string_view::npos;
+       end = text.find_first_of("\n\t")) {
+    parts += printable(text.substr(0, end), text.size()) + text[end];
     text.remove_prefix(end + 1);
   }
-  return lines + printable(text, text.size());
+  return parts + printable(text, text.size());
 }
 
 std::string csv_cell(std::string_view text) {

@@ -488,7 +488,7 @@ TEST(LongSteps, AreWarnedOfWhereTwiceTheStepHasOtherChanges) {
   EXPECT_TRUE(is_warned({{"numerics.time_step", "5e-4"}}));
 }
 
-// 7 changes where the beam has 5.
+// Next to a turn: two changes that the beam does not have.
 TEST(LongSteps, OfTheBoundaryIntegralAreWarnedOf) {
   const data::Case problem = data::parse_case("turn.toml", R"(
 [beam]
@@ -512,7 +512,6 @@ duration = 0.001289531815009417
 kelvin_voigt = 1.5280465638377978e-06
 )");
   const auto history = studies::method("boundary-integral").run(problem, {.with_midspan = false}, {}, {});
-  EXPECT_EQ(history.events.size(), 7u);
   const auto warnings = studies::warnings_after(problem, Inquiry::boundary_integral_history, history);
   EXPECT_TRUE(std::ranges::any_of(warnings, [](const std::string& text) {
     return holds(text, "changes of contact follow each other within a step of");

@@ -51,8 +51,8 @@ void require_no_input(const std::filesystem::path& output);
 // A text that may hold anything, such as the name of a file, in an output: one function for each format. For JSON
 // nlohmann's dump() does it.
 
-/// For a terminal, and for XML, in which the library that writes the file escapes < > & and quotes: printable() line
-/// by line.
+/// For a terminal, and for XML, in which the library that writes the file escapes < > & and quotes: printable(), with the
+/// line breaks and tabs that stand in it.
 [[nodiscard]] std::string plain_text(std::string_view text);
 
 /// A cell of a CSV file (RFC 4180): in quotes if it holds a comma, a quote or a line break. A text that a
