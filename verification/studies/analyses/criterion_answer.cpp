@@ -111,11 +111,10 @@ StickFrequency nearest_stick_frequency(const data::Case& problem) {
 }
 
 std::optional<SteadyState> steady_state(const data::Case& problem, const StickFrequency& nearest) {
-  const auto natural = closed_form_frequencies(problem.beam, analytic::TipSupport::held, nearest.mode).back();
-  if (!is_damped(problem) && std::abs(nearest.distance) <= natural.relative_error) return std::nullopt;
+  const auto natural = closed_form_frequencies(problem.beam, analytic::TipSupport::held, nearest.mode);
+  if (!is_damped(problem) && std::abs(nearest.distance) <= natural.back().relative_error) return std::nullopt;
   constexpr double steady_after = 3.0;  // time constants, which leave 5 % of a free vibration
-  const double first = 2.0 * std::numbers::pi *
-                       closed_form_frequencies(problem.beam, analytic::TipSupport::held, 1).front().hz;
+  const double first = 2.0 * std::numbers::pi * natural.front().hz;
   const double decay = first * (problem.damping.ratio() + 0.5 * problem.damping.kelvin_voigt() * first);
   const analytic::Bounds per_unit = steady_force_per_unit(problem);
   const double limit = friction_limit(problem);

@@ -156,7 +156,9 @@ TEST(StripModel, FrequenciesAreThoseOfTheSlipStateWithoutLoad) {
                          .youngs_modulus = strip.modulus,
                          .axial_force = 0.0});
   for (const auto& [quantity, hz] : validation::strip_frequencies(strip))
-    EXPECT_NEAR(analytic::slip_modes(beam, 4).at(static_cast<std::size_t>(quantity.back() - '1')).frequency_hz(), hz, 1e-9 * hz);
+    EXPECT_NEAR(
+        analytic::slip_modes(beam, 4).at(static_cast<std::size_t>(quantity.back() - '1')).frequency_hz(), hz,
+        1e-9 * hz);
 }
 
 TEST(DamperModel, UncertaintyPropagatesToFirstOrder) {
