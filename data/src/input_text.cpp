@@ -113,8 +113,10 @@ void require_no_input(const std::filesystem::path& output) {
 }
 
 void protect_inputs(bool from_here_on) {
-  inputs.reset();
-  if (from_here_on) inputs.emplace();
+  if (from_here_on)
+    inputs = std::set<FileIdentity>{};
+  else
+    inputs.reset();
 }
 
 std::string_view trimmed(std::string_view text) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "stickslip/data/input_text.hpp"
 #include "stickslip/data/units.hpp"
 
 namespace stickslip::data {
