@@ -48,31 +48,6 @@ TEST(StickResponse, SteadyAmplitudesAgreeWithFortyDigitArithmetic) {
   }
 }
 
-TEST(StickResponse, ExactSteadyPartDoesNotDependOnTheModesKept) {
-  // Between 10 and 40 modes only the free vibrations 11 ... 40 differ, at and beside resonance as elsewhere.
-  const auto modes = stick_modes(paper_beam(), 2);
-  for (const double hz : {1e-3, 15.0, modes[0].frequency_hz(), modes[0].frequency_hz() * (1.0 + 1e-9),
-                          modes[0].frequency_hz() * 1.01, 53.0, modes[1].frequency_hz() * (1.0 - 1e-12)}) {
-    const StickResponse ten(paper_beam(), shaking(hz), 10, SteadyPart::exact);
-    const StickResponse forty(paper_beam(), shaking(hz), 40, SteadyPart::exact);
-    const auto transient = forty.transient_force();
-    for (const double t : {0.02, 0.7, 3.0}) {
-      double beyond_ten = 0.0, phase_error = 0.0;
-      for (std::size_t n = 10; n < 40; ++n) {
-        const auto [amplitude, frequency] = transient[n];
-        beyond_ten += amplitude * std::sin(frequency * t);
-        phase_error += round_off(1, 1.0 + frequency * t, amplitude).value;
-      }
-      // Each of forty terms is as large as the terms at rest or the force, which reaches 4e4 N at resonance.
-      const double force = std::max(50.0, std::abs(ten.friction_force(t)));
-      EXPECT_TRUE(within(forty.friction_force(t), ten.friction_force(t) + beyond_ten,
-                         discretisation(round_off(40, 1, force).value + phase_error, 1.0,
-                                        "round-off of the sums and the phases")))
-          << hz;
-    }
-  }
-}
-
 TEST(StickResponse, ExactSteadyPartNeedsFewModes) {
   // Half way up to the highest mode kept, as far as is allowed, against forty modes more.
   for (const int count : {1, 2, 3, 8, 20, 60}) {
@@ -155,72 +130,19 @@ TEST(StickResponse, RefusesExactSteadyPartAboveItsModes) {
 }
 
 STICKSLIP_VERIFIES(SampledMaximum, "A5");
-TEST(SampledMaximum, HoldsTheSampleAtTheEnd) {
-  // The force rises from zero through the whole of 3 ms; the last sample on the grid is at 2 ms.
-  const StickResponse response = response_at(5.0);
-  const double before = std::abs(response.friction_force(2e-3)),
-               end = std::abs(response.friction_force(3e-3));
-  ASSERT_GT(end, 1.1 * before);
-  EXPECT_TRUE(within(response.sampled_max_abs_friction_force(3e-3, 2e-3).lower, end, round_off(10, 1, end)));
-}
-
-TEST(SampledMaximum, HoldsTheLastSampleOfTheGridBeforeAShorterStep) {
-  // The largest value of one second is the fifth sample; the sixth would lie behind the end.
+TEST(SampledMaximum, IsThatOfItsGridAndOfTheEnd) {
   const StickResponse response = response_at(35.0);
-  double peak = 0.0;
-  for (int i = 1; i <= 20000; ++i)
-    if (std::abs(response.friction_force(i / 2e4)) > std::abs(response.friction_force(peak))) peak = i / 2e4;
-  const double step = 0.25 * peak, largest = std::abs(response.friction_force(peak));
-  ASSERT_LT(std::abs(response.friction_force(peak + 0.9 * step)), 0.9 * largest);
-  EXPECT_TRUE(within(response.sampled_max_abs_friction_force(peak + 0.9 * step, step).lower, largest,
-                     round_off(10, 1, largest)));
-}
-
-TEST(SampledMaximum, UpperBoundHoldsBetweenSamplesFarApart) {
-  for (const double hz : {3.0, 40.0, 300.0})
-    for (const int modes : {1, 3}) {
-      const StickResponse response = response_at(hz, modes);
-      const double duration = 7.3 / hz, largest = densely_sampled(response, duration);
-      for (const double share : {0.13, 0.29, 0.41}) {
-        const Bounds bounds = response.sampled_max_abs_friction_force(duration, share / hz);
-        EXPECT_LE(bounds.lower, largest * (1.0 + 1e-12)) << hz << " Hz, " << share;
-        EXPECT_GE(bounds.upper, largest) << hz << " Hz, " << share;
-      }
-    }
-}
-
-TEST(SampledMaximum, ExcessIsTheInterpolationErrorOfTheStep) {
-  // Far from resonance the bound of |f''| is the sum over the sinusoids, that at Omega taken as one.
-  const StickResponse response = response_at(35.0, 4);
-  const double omega = 2.0 * pi * 35.0, step = 1e-4;
-  double bend = std::abs(response.steady_force_amplitude()) * omega * omega;
-  for (const auto& term : response.transient_force())
-    bend += std::abs(term.amplitude) * term.angular_frequency * term.angular_frequency;
-  const Bounds bounds = response.sampled_max_abs_friction_force(1.0, step);
-  const double excess = bend * step * step / 8.0;
-  EXPECT_TRUE(within(bounds.upper - bounds.lower, excess, round_off(100, bounds.upper / excess, excess)));
+  for (int i = 1; i <= 60; ++i) {
+    const double duration = i * 1.1e-3, step = 6.3e-3;
+    double largest = std::abs(response.friction_force(duration));
+    for (int k = 0; k * step < duration; ++k)
+      largest = std::max(largest, std::abs(response.friction_force(k * step)));
+    EXPECT_TRUE(within(response.sampled_max_abs_friction_force(duration, step).lower, largest,
+                       round_off(10, 1, largest)));
+  }
 }
 
 STICKSLIP_VERIFIES(MaximumForce, "A5");
-TEST(MaximumForce, IsFoundAtExactResonance) {
-  // The envelope of the resonant mode is EI A0 |U'''(L) C| (Omega t)/2; the others add at most their
-  // amplitudes.
-  const data::Beam beam = paper_beam();
-  const StickMode mode = stick_modes(beam, 1).front();
-  const StickResponse response(beam, shaking(mode.frequency_hz()), 10, SteadyPart::exact);
-  const double per_radian =
-      rigidity(beam) * 0.5e-3 * std::abs(mode.third_derivative(2.0) * mode.participation()) / 2.0;
-  const double envelope = per_radian * mode.angular_frequency() * 10.0;
-  const Bounds bounds = response.max_abs_friction_force(10.0, 1e-13);
-  const double rounding =
-      0.5e-3 * ForceMaximum(response.reaction(), mode.angular_frequency(), 10.0).rounding();
-  EXPECT_LE(bounds.upper - bounds.lower, 1e-13 * bounds.lower + 3.0 * rounding);
-  EXPECT_LE(rounding, 1e-12 * bounds.lower);
-  EXPECT_TRUE(within(bounds.midpoint(), envelope,
-                     discretisation(per_radian * (2.0 * pi + 1.0) + 10.0, 1.0,
-                                    "the last crest, a period at most before the end, and the other modes")));
-}
-
 TEST(MaximumForce, SurvivesExtremeAmplitudesAndDurations) {
   for (const double amplitude : {1e-300, 1e250}) {
     const StickResponse response(paper_beam(), shaking(15.0, amplitude));
