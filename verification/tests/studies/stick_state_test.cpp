@@ -14,7 +14,7 @@
 #include "studies/verification/force_maximum.hpp"
 #include "studies/verification/frequencies.hpp"
 #include "support/order.hpp"
-#include "support/random_beams.hpp"
+#include "support/random_cases.hpp"
 #include "support/testing.hpp"
 
 namespace stickslip::testing {
@@ -33,24 +33,23 @@ data::Case figure9_case(double duration, double spectral_radius = 0.9) {
 }
 
 STICKSLIP_VERIFIES(Figure9, "X1");
-TEST(Figure9, ErrorsAreThePredictedOnesAtThePaperSettings) {
-  for (const double spectral_radius : {0.9, 1.0}) {
-    SCOPED_TRACE(spectral_radius);
-    const auto study = studies::stick_history_study(figure9_case(1.0, spectral_radius), 3);
-    ASSERT_EQ(study.levels.size(), 3U);
-    for (const auto& level : study.levels) {
-      // drift_bound adds magnitudes and leaves out amplitude errors, 12/(omega T) of a phase error: 8 % in mode
-      // 1 at 1 s.
-      const std::string law = "phase drift of each mode";
-      EXPECT_TRUE(within(level.displacement_error, 0.0,
-                         discretisation(level.predicted_displacement_error, 1.1, law)));
-      EXPECT_TRUE(within(level.force_error, 0.0, discretisation(level.predicted_force_error, 1.1, law)));
-      // The bound is not far above the error. Mode 1 makes most of the displacement. Ten modes of similar size,
-      // which do not peak together, make the force.
-      EXPECT_GT(level.displacement_error, level.predicted_displacement_error / 1.5);
-      EXPECT_GT(level.force_error, level.predicted_force_error / 2.0);
-    }
+// drift_bound adds magnitudes and leaves out amplitude errors, 12/(omega T) of a phase error: 8 % in mode 1 at 1 s. The bound is not
+// far above the error: mode 1 makes most of the displacement, ten modes of similar size, which do not peak together, the force.
+void expect_predicted_errors(const studies::StickHistoryStudy& study) {
+  for (const auto& level : study.levels) {
+    const std::string law = "phase drift of each mode";
+    EXPECT_TRUE(
+        within(level.displacement_error, 0.0, discretisation(level.predicted_displacement_error, 1.1, law)));
+    EXPECT_TRUE(within(level.force_error, 0.0, discretisation(level.predicted_force_error, 1.1, law)));
+    EXPECT_GT(level.displacement_error, level.predicted_displacement_error / 1.5);
+    EXPECT_GT(level.force_error, level.predicted_force_error / 2.0);
   }
+}
+
+TEST(Figure9, ErrorsWithoutDissipationAreThePredicted) {
+  const auto study = studies::stick_history_study(figure9_case(1.0, 1.0), 3);
+  ASSERT_EQ(study.levels.size(), 3U);
+  expect_predicted_errors(study);
 }
 
 // How far the slope through errors may be from that through their bounds, whose ratio to them stays within a
@@ -62,13 +61,12 @@ double slope_by_ratio(const studies::StickHistoryStudy& study, double width) {
   return order_bound(levels).slope;
 }
 
-STICKSLIP_VERIFIES(Figure9Refined, "X1");
-TEST(Figure9Refined, AgreesWithin1em5And5em4OfThePeak) {
+TEST(Figure9, AgreesWithin1em5And5em4OfThePeak) {
   const auto study = studies::stick_history_study(figure9_case(1.0), 4);
   ASSERT_EQ(study.levels.size(), 4U);
+  expect_predicted_errors(study);
   EXPECT_LT(study.levels.back().displacement_error, 1e-5 * study.displacement_peak);
   EXPECT_LT(study.levels.back().force_error, 5e-4 * study.force_peak);
-  EXPECT_LT(study.levels.back().force_error, 1.1 * study.levels.back().predicted_force_error);
   // The histories that are drawn: those of the first level, with its errors.
   EXPECT_EQ(study.time.back(), 1.0);
   EXPECT_EQ(studies::largest_difference(study.first_displacement, study.displacement),
@@ -198,44 +196,44 @@ TEST(StickState, ModeShapesOfBothImplementationsAreTheSame) {
   }
 }
 
-TEST(StickState, DriftIsBoundedByPhaseAndDecay) {
-  const auto numerics = settings(1.0, 0.0);
+// Of one free vibration and the one that the mesh and the steps make of it.
+TEST(StickState, DriftBoundHoldsAndIsNoTwiceTooLarge) {
   const auto mode = analytic::stick_modes(paper_beam(), 1);
-  const auto bound = [&](double duration) {
-    return studies::drift_bound(paper_beam(), mode, {{-3.0, 0.0}}, numerics, duration);
-  };
-  const std::complex<double> exponent = studies::discrete_exponent(paper_beam(), mode[0], numerics);
-  const double phase = std::abs(exponent.imag() - mode[0].angular_frequency()) * 0.1;
-  EXPECT_NEAR(bound(0.1), 3.0 * (phase + 1.0 - std::exp(0.1 * exponent.real())), 1e-14);
-  EXPECT_EQ(bound(1e9), 6.0);
+  for (const double radius : {0.0, 0.5, 1.0})
+    for (const double duration : {0.3, 1.0, 30.0}) {
+      const auto numerics = settings(duration, radius);
+      const auto exponent = studies::discrete_exponent(paper_beam(), mode[0], numerics);
+      double drift = 0.0;
+      for (double t = 0.0; t <= duration; t += 1e-4)
+        drift = std::max(drift,
+                         std::abs(std::exp(exponent * t).imag() - std::sin(mode[0].angular_frequency() * t)));
+      const double bound = studies::drift_bound(paper_beam(), mode, {{-3.0, 0.0}}, numerics, duration);
+      EXPECT_LE(3.0 * drift, bound) << radius << ' ' << duration;
+      EXPECT_GT(3.0 * drift, 0.45 * bound) << radius << ' ' << duration;
+      EXPECT_LE(bound, 6.0);
+    }
 }
 
-// What its documentation says, term by term.
-TEST(StickState, PredictedForceIsUncertainByThreeParts) {
-  const auto numerics = settings(2.0);
-  const int modes = 4;
-  const studies::PredictedForce predicted(figure9_case(2.0), modes);
-  const analytic::StickResponse exact(paper_beam(), figure9, 3 * modes, analytic::SteadyPart::exact);
-  const double omega = 2.0 * std::numbers::pi * 15.0, l = 2.0 / numerics.elements();
-  double expected = exact.omitted_transient_bound(), remainder = exact.steady_force_amplitude();
-  for (std::size_t n = 0; n < 12; ++n) {
-    const auto& mode = exact.modes()[n];
-    const double w = mode.angular_frequency(), amplitude = std::abs(exact.transient_force()[n].amplitude);
-    const double error = studies::hermite_eigenvalue_error(paper_beam(), mode, l);
-    const double phase = w * 2.0 * error * std::pow(mode.trigonometric_wave_number() * l, 2) / 80.0;
-    expected += amplitude * (n < modes ? std::min(2.0, phase + error) : 2.0);
-    if (n < modes)
-      remainder -=
-          figure9.amplitude() * exact.reaction().modes[n].coefficient / (1.0 - std::pow(w / omega, 2));
-  }
-  expected += std::abs(remainder) * std::pow(omega * numerics.time_step(), 2) / 8.0;
-  EXPECT_NEAR(predicted.uncertainty(), expected, 1e-9 * expected);
-  // Of a single step the force is that at its end.
-  const data::Case one_step = figure9_case(1e-4);
-  const studies::PredictedForce first(one_step);
-  EXPECT_TRUE(within(first.max_abs(), solver::max_abs_friction_force(one_step),
-                     discretisation(first.uncertainty(), 1.0, "PredictedForce::uncertainty")));
-  EXPECT_LT(first.uncertainty(), 0.1 * first.max_abs());
+// The force of one step is that at its end.
+TEST(StickState, PredictedForceHoldsThatOfRandomCases) {
+  const CaseDomain undamped{.highest_force = 0.9,
+                            .longest = 6.0,
+                            .lowest_frequency = 0.3,
+                            .kelvin_voigt = 0.0,
+                            .ratio = 0.0,
+                            .fixed_direction = 0.0};
+  int sharp = 0;
+  const auto expect_predicted = [&sharp](const data::Case& problem) {
+    const studies::PredictedForce predicted(problem);
+    const double computed = solver::max_abs_friction_force(problem);
+    EXPECT_TRUE(within(computed, predicted.max_abs(),
+                       discretisation(predicted.uncertainty(), 1.0, "PredictedForce::uncertainty")));
+    sharp += predicted.uncertainty() < 0.02 * computed ? 1 : 0;
+  };
+  on_random_cases(12, undamped,
+                  [&](const CaseText& text, RandomNumbers&) { expect_predicted(text.problem()); });
+  EXPECT_GT(sharp, 6);
+  expect_predicted(figure9_case(1e-4));
 }
 
 // --- The motion of the whole beam by finite elements against the continuous beam (Fig. 3).
@@ -282,31 +280,6 @@ TEST(BeamMotionAt, AgreesWithinThePredictionWhileTheTipSticks) {
 }
 
 STICKSLIP_VERIFIES(BeamMotion, "X6");
-// What its documentation says, with Eq. (26) as it is printed.
-TEST(BeamMotion, PredictionIsTheSumOverTheModes) {
-  const data::Case at = paper_problem(35.0, 0.5e-3);
-  const analytic::StickResponse response(at.beam, at.excitation, 60, analytic::SteadyPart::exact);
-  const double omega = 70.0 * std::numbers::pi, h = 1e-4;
-  double largest = 0.0, motion = 0.0;
-  for (const long n : {100L, 200L, 300L, 400L})
-    for (const double x : {0.0, 1.0}) {
-      const double t = static_cast<double>(n) * h;
-      double sum = 0.0;
-      for (const auto& mode : response.modes()) {
-        const double w = mode.angular_frequency(), on_mesh = studies::frequency_on_mesh(at.beam, mode, 20);
-        const double g = (w * std::sin(omega * t) - omega * std::sin(w * t)) / (omega * omega - w * w) / w;
-        sum += std::abs(mode.shape(x) * omega * omega * mode.participation() *
-                        (studies::stepped_from_rest(0.9, on_mesh, omega, h).at(n, omega * h) - g));
-      }
-      largest = std::max(largest, 0.5e-3 * sum);
-      motion = std::max(motion, std::abs(response.absolute_displacement(x, t)));
-    }
-  const double expected = largest + 0.25 * std::pow(omega * h, 2) * motion;
-  // Angles up to 365000 rad/s for 0.04 s are rounded by 2e-12, against a difference of 1e-4 and more of g.
-  EXPECT_NEAR(studies::predicted_stick_difference(at, studies::snapshots_of(at, 0.0, 0.05, 6, 3), 0.045),
-              expected, 1e-7 * expected);
-}
-
 TEST(BeamMotion, EventDrivenIsTheClosedFormUntilTheFirstSlip) {
   const data::Case at = paper_problem(25.0, 0.5e-3);
   const auto grid = studies::snapshots_of(at, 0.0, 0.0969, 31, 21);  // the first slip is at 0.09692 s
