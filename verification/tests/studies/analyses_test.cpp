@@ -6,7 +6,7 @@
 #include "studies/analyses/criterion_answer.hpp"
 #include "studies/analyses/natural_frequencies.hpp"
 #include "studies/common/problem_parameter.hpp"
-#include "support/random_beams.hpp"
+#include "support/random_cases.hpp"
 #include "support/testing.hpp"
 
 namespace stickslip::testing {
@@ -78,6 +78,40 @@ TEST(CriterionAnswer, NearestFrequencyIsBelowOrAbove) {
     EXPECT_DOUBLE_EQ(nearest.hz, modes.at(static_cast<std::size_t>(mode) - 1).frequency_hz());
     EXPECT_DOUBLE_EQ(nearest.distance, nearest.hz / hz - 1.0);
   }
+}
+
+// From a quarter of the frequency of the case to four times it and beyond the first natural frequency.
+TEST(CriterionAnswer, CurveHasTheCriterionAndTheResonances) {
+  on_random_cases(
+      4, {.lowest_frequency = 0.05, .highest_frequency = 2.0, .kelvin_voigt = 0.3},
+      [](const CaseText& text, RandomNumbers& numbers) {
+        const data::Case problem = with_value(text.problem(), "numerics.modes", 4);
+        const auto curve = studies::critical_amplitude_curve(problem);
+        const double hz = problem.excitation.frequency_hz(), first = 0.25 * hz,
+                     last = std::max(4.0 * hz,
+                                     1.25 * analytic::stick_modes(problem.beam, 1).front().frequency_hz());
+        ASSERT_EQ(curve.natural_hz.size(), 4u);
+        EXPECT_DOUBLE_EQ(curve.points.front().frequency_hz, first);
+        EXPECT_TRUE(within(curve.points.back().frequency_hz, last, round_off(10, 1, last)));
+        for (std::size_t i = 1; i < curve.points.size(); ++i) {
+          const double ratio = curve.points[i].frequency_hz / curve.points[i - 1].frequency_hz;
+          EXPECT_TRUE(1.0 < ratio && ratio < std::pow(last / first, 1.0001 / 240.0)) << ratio;
+        }
+        for (const auto& mode : analytic::stick_modes(problem.beam, 4)) {
+          const double natural = curve.natural_hz[static_cast<std::size_t>(mode.number() - 1)];
+          EXPECT_TRUE(within(natural, mode.frequency_hz(), round_off(4, 1, natural)));
+          const bool is_a_point =
+              std::ranges::find(curve.points, natural, &studies::CriticalAmplitudePoint::frequency_hz) !=
+              curve.points.end();
+          EXPECT_EQ(is_a_point, first < natural && natural < last);
+        }
+        const auto& point = curve.points.at(static_cast<std::size_t>(numbers.whole(0, 240)));
+        const auto [lower, upper] =
+            studies::criterion_of(with_value(problem, "excitation.frequency_hz", point.frequency_hz))
+                .critical_amplitude;
+        EXPECT_TRUE(
+            within(point.critical_amplitude, 0.5 * (lower + upper), reference(1e-3 * upper, "its bounds")));
+      });
 }
 
 TEST(CriterionAnswer, OnlyANaturalFrequencyItselfHasNoSteadyForce) {

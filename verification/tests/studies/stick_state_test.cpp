@@ -170,9 +170,11 @@ TEST(SteppedFromRest, IsWhatTheMethodComputes) {
 
 STICKSLIP_VERIFIES(StickState, "X1");
 TEST(StickState, ModeShapesOfBothImplementationsAreTheSame) {
-  const auto study = studies::mode_shape_study(paper_beam(), 3, 20, 101);
-  ASSERT_EQ(study.curves.size(), 6u);
-  for (const auto& curve : study.curves) {
+  // Of a few points the first two lie on different sides of a node.
+  auto curves = studies::mode_shape_study(paper_beam(), 3, 20, 101).curves;
+  for (const auto& curve : studies::mode_shape_study(paper_beam(), 3, 20, 6).curves) curves.push_back(curve);
+  ASSERT_EQ(curves.size(), 12u);
+  for (const auto& curve : curves) {
     // Shape error of a Hermite mesh: (beta l)^4/384 from interpolation (max of (s - s^2)^2/24), doubled for
     // the Galerkin part.
     const double beta = (curve.mode + (curve.slip ? -0.5 : 0.25)) * std::numbers::pi;
@@ -188,10 +190,7 @@ TEST(StickState, ModeShapesOfBothImplementationsAreTheSame) {
       EXPECT_GT((*shape)[1], 0.0);
       EXPECT_NEAR(shape->front(), 0.0, 1e-12);
       // The tip is at rest in stick and moves in slip.
-      if (curve.slip)
-        EXPECT_GT(std::abs(shape->back()), 0.5);
-      else
-        EXPECT_NEAR(shape->back(), 0.0, 1e-9);
+      EXPECT_TRUE(curve.slip ? std::abs(shape->back()) > 0.5 : std::abs(shape->back()) < 1e-9);
     }
   }
 }
