@@ -134,7 +134,9 @@ TEST(CriterionMap, HoldsTheCriterionOfEachCell) {
   Seen seen;
   const CaseDomain domain{.shortest = 0.5, .kelvin_voigt = 0.3, .ratio = 0.3};
   on_random_cases(4, domain, [&](const CaseText& text, RandomNumbers& numbers) {
-    const data::Case problem = with_value(text.problem(), "numerics.modes", numbers.whole(2, 12));
+    const auto statement = data::amplitude_keys.at(static_cast<std::size_t>(numbers.whole(0, 2)));
+    const data::Case drawn = with_value(text.problem(), "numerics.modes", numbers.whole(2, 12)),
+                     problem = with_value(drawn, statement, value_of(drawn, statement));
     for (const auto one : keys)
       for (const auto other : keys)
         if (one < other) {
