@@ -247,9 +247,7 @@ TEST(ClaimOnEquation7, CoefficientDecaysToTheMinimum) {
   for (const double v : evenly_spaced(0.1, 10.0, 0.1)) decays &= mu(v) < mu(v - 0.1) && mu(-v) == mu(v);
   const double departure =
       largest(evenly_spaced(0.0, 40.0, 0.1), [&](double v) { return mu(v) - printed_coefficient(v); });
-  judge("eq7",
-        {.as_printed = decays && departure <= round_off(10, 1, 0.6).value &&
-                       std::abs(mu(40.0) - 0.3) <= round_off(10, 1, 0.3).value},
+  judge("eq7", {.as_printed = decays && departure <= round_off(10, 1, 0.6).value},
         "mu falls from {:.1f} at rest through {:.4f} at 1 m/s to {:.4f} at 10 m/s", mu(0.0), mu(1.0),
         mu(10.0));
 }
@@ -258,14 +256,14 @@ TEST(ClaimOnSection2, MuSPIsTheRangeOfTheStaticForce) {
   const ContactRun run = contact_run();
   const auto [static_least, static_largest] = std::ranges::minmax(run.static_forces);
   const auto [kinetic_least, kinetic_largest] = std::ranges::minmax(run.kinetic_forces);
-  // E7: the kinetic force lies between mu_m P and mu_s P; the tip slides at up to about 1 m/s, mu(1) = 0.41.
-  EXPECT_GE(kinetic_least, 0.5 * friction_limit());
-  EXPECT_LT(kinetic_least, 0.75 * friction_limit());
-  EXPECT_LE(kinetic_largest, friction_limit() + round_off(1, 1, friction_limit()).value);
+  // The kinetic force lies between mu_m P and mu_s P; the tip slides at up to about 1 m/s, mu(1) = 0.41.
+  const double limit = friction_limit();
+  const bool kinetic = kinetic_least >= 0.5 * limit && kinetic_least < 0.75 * limit &&
+                       kinetic_largest <= limit + round_off(1, 1, limit).value;
   judge("sect2.static-force-range",
-        {.as_printed = kinetic_least < 0.05 * friction_limit(),
-         .corrected = static_least < 0.05 * friction_limit() && static_largest > 0.95 * friction_limit() &&
-                      static_largest <= friction_limit()},
+        {.as_printed = kinetic_least < 0.05 * limit,
+         .corrected = kinetic && static_least < 0.05 * limit && static_largest > 0.95 * limit &&
+                      static_largest <= limit},
         "|f_s| from {:.1f} to {:.1f} N in stick, |f_d| from {:.1f} N in slip", static_least, static_largest,
         kinetic_least);
 }
