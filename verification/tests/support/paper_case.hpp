@@ -56,19 +56,6 @@ inline int captures(const solver::BeamSimulation& run) {
                                              &data::ContactEvent::change));
 }
 
-/// The largest |f| of the first millisecond at 15 Hz and 0.5 mm with the tip held, N, by steps of 1 us.
-inline double first_force(int elements, solver::InitialVelocity start) {
-  solver::BeamSimulation run(with_values(with(paper(), excitation(15.0, 0.5e-3)),
-                                         {{"numerics.elements", elements}, {"numerics.time_step", 1e-6}}),
-                             {.contact = solver::TipContact::bonded, .initial_velocity = start});
-  double force = 0.0;
-  for (int n = 0; n < 1000; ++n) {
-    run.step();
-    force = std::max(force, std::abs(run.friction_force()));
-  }
-  return force;
-}
-
 /// Finite elements with contact.
 inline bool finite_elements_slip(double hz, double amplitude) {
   return solver::first_slip(with(paper(), excitation(hz, amplitude))).has_value();
