@@ -43,13 +43,12 @@ studies::LinearContact without_limit(studies::LinearContact contact) {
 
 STICKSLIP_VERIFIES(Weakening, "X12");
 TEST(Weakening, IsTheSteepestFallOfTheFrictionForce) {
-  EXPECT_DOUBLE_EQ(studies::weakening(paper_friction(), 500.0), kappa);
   const data::FrictionLaw law({.static_coefficient = 0.5, .kinetic_coefficient = 0.25, .decay = 3.0});
   EXPECT_DOUBLE_EQ(studies::weakening(law, 8.0), 6.0);
 }
 
 STICKSLIP_VERIFIES(ContactGrowth, "X12");
-TEST(ContactGrowth, OfAMassIsKappaOverItWithAndWithoutASpring) {
+TEST(ContactGrowth, OfAMassIsKappaOverIt) {
   for (const double stiffness : {50.0, 5e4}) {
     const SingleMass mass{.mass = 2.0, .stiffness = stiffness, .normal_force = 1.0};
     const auto contact = studies::continuous_contact(solver::ContactMobility(contact_system(mass)));
@@ -63,18 +62,18 @@ TEST(ContactGrowth, OfAMassIsKappaOverItWithAndWithoutASpring) {
   }
 }
 
-TEST(ContactGrowth, OfADampedMassIsWhatTheDashpotLeaves) {
-  const auto bound = [](double damping) {
+TEST(ContactGrowth, OfADampedMassIsLess) {
+  for (const auto& [damping, expected] : {std::pair{1.0, 1.0}, {3.5, 0.0}}) {
     const SingleMass mass{.mass = 2.0, .stiffness = 50.0, .damping = damping, .normal_force = 1.0};
-    return growth_bound(studies::continuous_contact(solver::ContactMobility(contact_system(mass))), 3.0);
-  };
-  EXPECT_TRUE(within(bound(1.0), 1.0, searched(1.0)));
-  EXPECT_EQ(bound(3.5), 0.0);
+    EXPECT_TRUE(
+        within(growth_bound(studies::continuous_contact(solver::ContactMobility(contact_system(mass))), 3.0),
+               expected, searched(expected)));
+  }
 }
 
 // Spectral radius 1 is the trapezoidal rule: Re Z = m (2/h) Re tanh((sigma + i omega) h/2), least at omega =
 // 0. The spring is too soft to matter, (omega_0/sigma)^2 = 1e-8.
-TEST(ContactGrowth, OfAMassInStepsIsThatOfItsTransferFunction) {
+TEST(ContactGrowth, OfAMassInStepsIsOfItsTransfer) {
   const solver::ContactMobility mobility(
       contact_system({.mass = 2.0, .stiffness = 4.5e-8, .normal_force = 1.0}));
   for (const double h : {0.1, 0.5, 1.0}) {
@@ -86,20 +85,26 @@ TEST(ContactGrowth, OfAMassInStepsIsThatOfItsTransferFunction) {
   EXPECT_TRUE(std::isinf(growth_bound(studies::stepped_contact(mobility, 1.4, 1.0), 3.0)));
 }
 
+// No mode asks for more than the limit of the high ones, and those searched come near to it. Damping takes from it.
 TEST(ContactGrowth, OfTheBeamIsFourKappaOverItsMass) {
   EXPECT_TRUE(
       within(studies::beam_growth_bound(paper_beam(), paper_friction()), beam_bound, searched(beam_bound)));
   const auto contact = studies::continuous_contact(paper_beam());
-  // No mode asks for more than the limit of the high ones, and those searched come near to it.
   const double low_modes = growth_bound(without_limit(contact), kappa);
   EXPECT_LE(low_modes, beam_bound * (1.0 + 1e-4));
   EXPECT_GT(low_modes, 0.98 * beam_bound);
-  EXPECT_TRUE(studies::grows_at_most(contact, kappa, 1.001 * beam_bound));
-  EXPECT_FALSE(studies::grows_at_most(contact, kappa, 0.999 * beam_bound));
+  for (const double share : {0.999, 1.001})
+    EXPECT_EQ(studies::grows_at_most(contact, kappa, share * beam_bound), share > 1.0);
+  double before = beam_bound;
+  for (const double eta : {1e-7, 1e-6, 1e-5, 1e-4}) {
+    const double bound = studies::beam_growth_bound(paper_beam(), paper_friction(), kelvin_voigt(eta));
+    EXPECT_LT(bound, before);
+    before = bound;
+  }
 }
 
 // cos b cosh b = -1 at b = (n - 1/2) pi + e with |e| = 2 exp(-b), and omega is that of b^2. In steps of h none is above pi/h.
-TEST(ContactGrowth, IsSearchedFromTheFrequenciesOfSliding) {
+TEST(ContactGrowth, IsSearchedFromTheModes) {
   const data::Beam beam = paper_beam_with_axial_force(0.0);
   auto frequencies = studies::continuous_contact(beam).frequencies;
   ASSERT_EQ(frequencies.size(), 41u);  // 0 and 40 modes
@@ -113,16 +118,6 @@ TEST(ContactGrowth, IsSearchedFromTheFrequenciesOfSliding) {
   std::erase_if(frequencies, [](double omega) { return omega >= highest; });
   frequencies.push_back(highest);
   EXPECT_EQ(studies::stepped_contact(beam, h, 2).frequencies, frequencies);
-}
-
-TEST(ContactGrowth, OfADampedBeamIsBelowThatOfTheUndamped) {
-  double before = beam_bound;
-  for (const double eta : {1e-7, 1e-6, 1e-5, 1e-4}) {
-    const double bound =
-        studies::beam_growth_bound(paper_beam(), paper_friction(), data::Damping({.kelvin_voigt = eta}));
-    EXPECT_LT(bound, before);
-    before = bound;
-  }
 }
 
 TEST(ContactGrowth, OfAMeshDoublesWithEachRefinement) {
@@ -142,7 +137,7 @@ TEST(ContactGrowth, OfAMeshDoublesWithEachRefinement) {
   EXPECT_GT(before, 100.0 * beam_bound);
 }
 
-TEST(ContactGrowth, RadiatingTipKeepsTheGrowthOfTheBeam) {
+TEST(ContactGrowth, OfARadiatingTipIsTheBeams) {
   // 0.03 rho A l of the 0.0722 rho A l that the tip opposes to an impulse, behind a dashpot of kappa. Without
   // the dashpot it is kappa/(0.0422 rho A l), which doubles with the mesh.
   for (const int elements : {5, 10, 20}) {
@@ -158,22 +153,20 @@ TEST(ContactGrowth, RadiatingTipKeepsTheGrowthOfTheBeam) {
 }
 
 STICKSLIP_VERIFIES(FilteringStep, "X12");
-TEST(FilteringStep, KeepsTheGrowthOfAMeshAtThatOfTheBeam) {
+// A long step with spectral radius 0 has about the growth of the beam on every mesh, a step that resolves the mesh nearly that of
+// the mesh. The step follows from the length of the elements alone.
+TEST(FilteringStep, KeepsTheGrowthOfTheBeam) {
+  std::vector<double> bounds;
   for (const int elements : {5, 20, 80}) {
     const auto mobility = mesh(elements);
-    const double bound = stepped_bound(mobility, studies::filtering_angle, 0.0);
-    EXPECT_LT(bound, 31.0) << elements;
-    EXPECT_GT(bound, 26.0) << elements;
-    const double resolved = stepped_bound(mobility, 0.3, 0.9), continuous = kappa / mobility.contact_mass();
-    EXPECT_GT(resolved, 0.7 * continuous) << elements;
-    EXPECT_LT(resolved, continuous) << elements;
-  }
-}
-
-TEST(FilteringStep, FollowsFromTheElementLengthAlone) {
-  for (const int elements : {5, 10, 40}) {
+    bounds.push_back(stepped_bound(mobility, studies::filtering_angle, 0.0));
+    EXPECT_TRUE(
+        within(bounds.back(), beam_bound, discretisation(beam_bound * 0.15, 1.0, "as the manual says")))
+        << elements;
+    EXPECT_GT(stepped_bound(mobility, 0.3, 0.9), bounds.back()) << elements;
+    EXPECT_LT(stepped_bound(mobility, 0.3, 0.9), kappa / mobility.contact_mass()) << elements;
     const double h = studies::time_step_of({.angle = studies::filtering_angle}, paper_beam(), elements);
-    const double angle = mesh(elements).angular_frequencies().maxCoeff() * h;
+    const double angle = mobility.angular_frequencies().maxCoeff() * h;
     EXPECT_TRUE(within(angle, studies::filtering_angle,
                        discretisation(2e-3 * angle, 1.0, "the constant of 5 elements against 20")));
   }
@@ -201,7 +194,7 @@ studies::ConvergedHistory grid(double duration) {
 STICKSLIP_VERIFIES(HistoryConvergence, "X12");
 // A difference exp(sigma t) sin(omega t) whose largest values in periods of the sine are in the ratio exp(sigma T). The
 // last period is cut off before its largest value.
-TEST(HistoryConvergence, ObservesTheGrowthOfADifferenceInWholePeriods) {
+TEST(HistoryConvergence, ObservesTheGrowth) {
   const double sigma = 30.0, period = 0.04, start = 0.06, step = 1e-4;
   studies::History a, b;
   for (int n = 0; n <= 2800; ++n) {
@@ -220,7 +213,7 @@ TEST(HistoryConvergence, ObservesTheGrowthOfADifferenceInWholePeriods) {
   EXPECT_FALSE(growth_rate(a, b, period, 1e-6).has_value());
 }
 
-TEST(HistoryConvergence, ObservesNoMoreGrowthThanItsBound) {
+TEST(HistoryConvergence, ObservesNoMoreThanItsBound) {
   for (const int elements : {5, 10}) {
     for (const auto& [angle, radius] : {std::pair{0.3, 0.9}, {studies::filtering_angle, 0.0}}) {
       const auto run =
@@ -232,7 +225,7 @@ TEST(HistoryConvergence, ObservesNoMoreGrowthThanItsBound) {
   }
 }
 
-TEST(HistoryConvergence, MeasuresTheErrorAgainstTheHistoryGiven) {
+TEST(HistoryConvergence, MeasuresTheErrorOfTheTip) {
   auto reference = grid(0.1);
   const auto problem = paper_case();
   const auto history = studies::finite_element_history(studies::refined(problem, 10, 1e-4, 0.1), {.every = 5},
@@ -250,37 +243,33 @@ TEST(HistoryConvergence, MeasuresTheErrorAgainstTheHistoryGiven) {
   EXPECT_DOUBLE_EQ(studies::history_run(problem, grid(0.01), 10, 1.3e-4, 0.9, false).time_step, 1.25e-4);
 }
 
-TEST(HistoryConvergence, RefinementObservesGrowthOnSmallMeshes) {
+TEST(HistoryConvergence, ObservesOnSmallMeshes) {
   const auto study = studies::history_refinement(
       paper_case(), grid(0.3), {"filtering step", studies::filtering_angle, 0.0, 0.0}, {5, 10}, 5);
-  EXPECT_EQ(study.rule.name, "filtering step");
-  EXPECT_EQ(study.frequency_hz, 25.0);
   ASSERT_EQ(study.runs.size(), 2u);
   for (std::size_t i = 0; i < 2; ++i) {
-    const int elements = i == 0 ? 5 : 10;
-    const double longest = studies::time_step_of(study.rule, paper_beam(), elements);
-    EXPECT_EQ(study.runs[i].elements, elements);
+    const double longest = studies::time_step_of(study.rule, paper_beam(), study.runs[i].elements);
+    EXPECT_EQ(study.runs[i].elements, i == 0 ? 5 : 10);
     EXPECT_DOUBLE_EQ(study.runs[i].time_step, 5e-4 / std::ceil(5e-4 / longest));
     EXPECT_EQ(study.runs[i].spectral_radius, 0.0);
     EXPECT_EQ(study.runs[i].observed_growth.has_value(), i == 0);
   }
-  EXPECT_EQ(study.order.order,
-            observed_order({2.0 / 5, 2.0 / 10}, {study.runs[0].error, study.runs[1].error}));
-  // A fixed step, and a tip that radiates.
+  EXPECT_DOUBLE_EQ(std::exp2(study.order.order), study.runs[0].error / study.runs[1].error);
+}
+
+TEST(HistoryConvergence, OfARadiatingTip) {
   const studies::StepRule rule{"radiating tip", 0.0, 1e-4, 1.0, 0.01};
-  ASSERT_EQ(studies::time_step_of(rule, paper_beam(), 5), 1e-4);
-  EXPECT_EQ(studies::history_refinement(paper_case(), grid(0.1), rule, {5, 6}, 0).runs[0].error,
-            studies::history_run(paper_case(), grid(0.1), 5, 1e-4, 1.0, false, 0.01).error);
-  // A share of 1e-9 changes the motion by about as much, and rows that are a step late by (omega h)^2/8 = 3e-5.
-  const auto largest = [](double share) {
-    return studies::history_run(paper_case(), grid(0.1), 5, 1e-4, 1.0, false, share).error;
+  ASSERT_EQ(studies::time_step_of(rule, paper_beam(), 5), 1e-4);  // a fixed step
+  const auto run = [](double share) {
+    return studies::history_run(paper_case(), grid(0.1), 5, 1e-4, 1.0, false, share);
   };
-  EXPECT_NEAR(largest(1e-9), largest(0.0), 1e-7);
-  // That share of an element's mass radiates.
+  EXPECT_EQ(studies::history_refinement(paper_case(), grid(0.1), rule, {5, 6}, 0).runs[0].error,
+            run(0.01).error);
+  // A share of 1e-9 changes the motion by about as much, times what its growth by 30/s makes of that in 0.1 s.
+  EXPECT_TRUE(within(run(1e-9).error, run(0.0).error, discretisation(1e-9 * std::exp(3.0), 5.0, "growth")));
   const solver::ContactMobility radiating(
       studies::with_radiating_contact(mesh_system(5), 0.01 * 10.0 * 2.0 / 5, kappa));
-  EXPECT_EQ(studies::history_run(paper_case(), grid(0.1), 5, 1e-4, 1.0, false, 0.01).growth_bound,
-            growth_bound(studies::stepped_contact(radiating, 1e-4, 1.0), kappa));
+  EXPECT_EQ(run(0.01).growth_bound, growth_bound(studies::stepped_contact(radiating, 1e-4, 1.0), kappa));
 }
 
 // --- The warning
@@ -291,7 +280,7 @@ std::optional<studies::Warning> warning(const std::vector<data::Override>& overr
 }
 
 STICKSLIP_VERIFIES(GrowthWarning, "X21");
-TEST(GrowthWarning, BeginsWhereRoundingReachesTheMotion) {
+TEST(GrowthWarning, BeginsAtTheSizeOfTheMotion) {
   const auto bound = growth_bound(studies::stepped_contact(mesh(20), 1e-5, 1.0), kappa);
   for (const double share : {0.99, 1.01}) {
     const auto found = warning({{"numerics.time_step", "1e-5"},
@@ -301,46 +290,32 @@ TEST(GrowthWarning, BeginsWhereRoundingReachesTheMotion) {
     if (!found) continue;
     EXPECT_EQ(found->value, bound);
     EXPECT_DOUBLE_EQ(found->limit, bound / share);
-    EXPECT_TRUE(holds(found->sentence, "for the beam sigma* is 30 1/s"));
-    EXPECT_EQ(found->sentence.find("any discretisation"), std::string::npos) << found->sentence;
   }
 }
 
-TEST(GrowthWarning, SuggestsSettingsWithTheGrowthOfTheBeam) {
+// The settings that the sentence advises are run: they have about the growth of the beam, 30/s.
+TEST(GrowthWarning, AdvisesTheGrowthOfTheBeam) {
   const auto found = warning({{"numerics.time_step", "1e-6"}, {"excitation.duration", "0.5"}});
   ASSERT_TRUE(found);
   const std::string before = "time_step = ";
   const auto place = found->sentence.find(before);
   ASSERT_NE(place, std::string::npos) << found->sentence;
-  const double step = std::stod(found->sentence.substr(place + before.size()));
   const auto with_it = [&](const std::string& duration) {
-    return warning({{"numerics.time_step", data::shortest_text(step)},
+    return warning({{"numerics.time_step",
+                     data::shortest_text(std::stod(found->sentence.substr(place + before.size())))},
                     {"numerics.spectral_radius", "0"},
                     {"excitation.duration", duration}});
   };
   EXPECT_FALSE(with_it("1.1"));  // 31/s for 1.16 s
-  EXPECT_EQ(with_it("1.5").value().sentence.find("about as with"), std::string::npos);
-  EXPECT_EQ(found->sentence,
-            fmt::format(
-                "the contact changes, and sigma* is {:.0f} 1/s: by the bound exp(sigma* t) a rounding error "
-                "may grow to the size of the motion within {:.2g} s; for the beam sigma* is 30 1/s, about as "
-                "with numerics.spectral_radius = 0, time_step = 1e-05 s, elements = 20",
-                found->value, 36.0 / found->value));
+  EXPECT_FALSE(holds(with_it("1.5").value().sentence, before));
+  EXPECT_TRUE(holds(found->sentence, fmt::format("{:.0f} 1/s", found->value)));
 }
 
 TEST(GrowthWarning, SaysWhenNoDiscretisationHelps) {
-  const struct {
-    std::vector<data::Override> overrides;
-    std::string phrase;
-    bool is_said;
-  } rows[] = {
-      {{{"excitation.duration", "10"}}, "beyond 1.2 s the bound is of no use for any discretisation", true},
-      {{{"excitation.duration", "3"}, {"damping.ratio", "1e-4"}}, "for the undamped beam", true},
-      {{{"excitation.duration", "3"}, {"damping.ratio", "1e-4"}}, "any discretisation", false}};
-  for (const auto& [overrides, phrase, is_said] : rows) {
-    const std::string sentence = warning(overrides).value().sentence;
-    EXPECT_EQ(sentence.find(phrase) != std::string::npos, is_said) << sentence;
-  }
+  const std::vector<data::Override> damped{{"excitation.duration", "3"}, {"damping.ratio", "1e-4"}};
+  EXPECT_TRUE(holds(warning({{"excitation.duration", "10"}}).value().sentence, "for any discretisation"));
+  EXPECT_TRUE(holds(warning(damped).value().sentence, "for the undamped beam"));
+  EXPECT_FALSE(holds(warning(damped).value().sentence, "any discretisation"));
 }
 
 TEST(GrowthWarning, CountsTheModesOfAnEventDrivenRun) {
@@ -355,8 +330,7 @@ TEST(GrowthWarning, CountsTheModesOfAnEventDrivenRun) {
 
 TEST(GrowthWarning, IsSilentOnWhatItDoesNotCompute) {
   // A damping of 1e-12 s leaves the growth as it is.
-  const std::pair<const char*, int> largest[] = {{"0", 200}, {"1e-12", 50}};
-  for (const auto& [damping, most] : largest)
+  for (const auto& [damping, most] : {std::pair{"0", 200}, {"1e-12", 50}})
     for (const int elements : {most, most + 1})
       EXPECT_EQ(warning({{"numerics.elements", std::to_string(elements)}, {"damping.kelvin_voigt", damping}})
                     .has_value(),
