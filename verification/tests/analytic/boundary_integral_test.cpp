@@ -2,11 +2,11 @@
 /// The boundary integral equation of a contact: its weights and its steps. contact_battery_test.cpp has its histories.
 
 #include <Eigen/Dense>
-#include <random>
 
 #include "stickslip/analytic/boundary_integral.hpp"
 #include "stickslip/analytic/free_mode_run.hpp"
 #include "stickslip/analytic/tip_mobility.hpp"
+#include "support/random_beams.hpp"
 #include "support/testing.hpp"
 
 namespace stickslip::testing {
@@ -21,10 +21,9 @@ using std::numbers::pi;
 Tolerance of_weights(double largest) { return reference(1e-10 * largest, "mobility_weights()"); }
 
 std::vector<double> noise(std::size_t count) {
-  std::mt19937 generator(7);
-  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  RandomNumbers numbers(7);
   std::vector<double> values(count);
-  for (double& value : values) value = uniform(generator);
+  for (double& value : values) value = numbers.uniform(-1.0, 1.0);
   return values;
 }
 
@@ -41,7 +40,7 @@ TEST_P(GaussStages, FollowAFreeMassExactly) {
     ASSERT_TRUE(within(weights[j], (j == 0 ? 0.5 : 1.0) * h / mass, of_weights(h / mass))) << j;
 }
 
-TEST_P(GaussStages, HaveThePhaseErrorOfTheirPadeApproximant) {
+TEST_P(GaussStages, HaveThePhaseErrorOfPade) {
   // With a = omega h the exact weights are 2 (1 - cos a) cos(j a)/(omega^2 h). The approximant (k, k) of
   // exp(x) is off by (k!)^2/((2k)! (2k+1)!) x^(2k+1), which turns each step by as much with x = a. After 100
   // rad that is 100 a^2k of this constant, next to which the error of the amplitudes, a^2k of the same
@@ -68,7 +67,7 @@ TEST_P(GaussStages, HaveThePhaseErrorOfTheirPadeApproximant) {
                                     "amplitude, where in the last turn, next term")));
 }
 
-TEST_P(GaussStages, GiveThePowerSeriesOfTheDiscreteMobility) {
+TEST_P(GaussStages, ArePowersOfTheMobility) {
   const analytic::TipMobility mobility(paper_beam());
   const double h = 1e-4;
   const Complex zeta = std::polar(0.9, 0.7);
@@ -131,7 +130,7 @@ TEST(BoundaryIntegral, FindsTheOnlySolutionOfAStep) {
 const ContactLaw one_newton{
     10.0, data::FrictionLaw({.static_coefficient = 0.1, .kinetic_coefficient = 0.1, .decay = 0.0})};
 
-TEST(BoundaryIntegral, RefusesAStepWithMoreThanOneSolution) {
+TEST(BoundaryIntegral, RefusesSeveralSolutions) {
   const ContactLaw law{500.0, paper_friction()};  // kappa = 150 N s/m
   EXPECT_NO_THROW(analytic::require_unique_step(law, 0.999 / 150.0));
   EXPECT_THROW(analytic::require_unique_step(law, 1.001 / 150.0), std::invalid_argument);
@@ -146,7 +145,7 @@ TEST(BoundaryIntegral, RefusesAStepWithMoreThanOneSolution) {
   EXPECT_NO_THROW(analytic::require_unique_step(on_a_spring, 1e-4));
 }
 
-TEST(BoundaryIntegral, RefusesStepsCountsAndStagesOutsideTheirRanges) {
+TEST(BoundaryIntegral, RefusesUnusableSteps) {
   const auto mass = [](Complex s) { return 1.0 / s; };
   EXPECT_THROW((void)analytic::mobility_weights(mass, 0.0, 1, 2), data::FieldError);
   EXPECT_THROW((void)analytic::discrete_mobility(mass, 0.0, 2, 0.5), data::FieldError);
@@ -165,7 +164,7 @@ std::vector<double> shaking(double amplitude, double h, double end) {
   return forces;
 }
 
-TEST(BoundaryIntegral, IsTheRunOfAFreeMassByItsOneMode) {
+TEST(BoundaryIntegral, IsTheRunOfItsOneMode) {
   const double h = 1e-3;
   const auto forces = shaking(1.5, h, 4.0);
   const auto steps = analytic::contact_steps(
