@@ -210,6 +210,11 @@ struct ContactEngine {
   std::function<std::optional<ContactErrors>(const ContactProblem&)> errors;
 };
 
+/// The same tolerance of every event.
+std::function<Tolerance(std::size_t)> always(const Tolerance& tolerance) {
+  return [tolerance](std::size_t) { return tolerance; };
+}
+
 Tolerance error_per_step(double error) { return discretisation(error, 1.0, "error per step times steps"); }
 
 /// The way slid until `time`, by the positions of the changes before and the position then.
@@ -277,8 +282,7 @@ std::optional<ContactErrors> stepper_errors(const ContactProblem& problem,
   const double h = settings.time_step, instant = 1e-11 * h + 1e-14;
   const bool locates = settings.scheme == solver::ContactScheme::located;
   const Tolerance located = discretisation(instant, 1.0, "location tolerance 1e-11 h");
-  const auto location = [located](std::size_t) { return located; };
-  ContactErrors errors{.time = location, .position = [](std::size_t) { return round_off(100, 1, 1.0); }};
+  ContactErrors errors{.time = always(located), .position = always(round_off(100, 1, 1.0))};
   const auto& exact = problem.exact;
   switch (problem.kind) {
     case Kind::slider:
@@ -361,27 +365,26 @@ ContactHistory run_event_driven(const ContactProblem& problem) {
 /// The slip phases add an error of at most 1e-12 in each step, and neither friction nor damping lets it grow; steps are counted
 /// generously at 10 per radian of the fastest motion.
 std::optional<ContactErrors> event_driven_errors(const ContactProblem& problem) {
-  const auto always = [](const Tolerance& tolerance) {
-    return [tolerance](std::size_t) { return tolerance; };
-  };
   const auto& events = problem.exact.events;
   switch (problem.kind) {
-    case Kind::slider:  // a quadratic is integrated exactly
-      return ContactErrors{always(round_off(20, 1, 1.0)), always(round_off(20, 1, 1.0)),
-                           round_off(20, 1, 1.0),         round_off(20, 1, 1.0),
-                           round_off(0.5, 1, 3.0),        {}};
-    case Kind::spring:
-      return ContactErrors{always(round_off(1, 1, 0.0)), always(round_off(1, 1, 0.0)),
-                           error_per_step(1e-12 * 2.0),  error_per_step(1e-12 * 2.0),
-                           round_off(0.5, 1, 1.2),       {}};
-    case Kind::oscillator:  // a turning point of amplitude 0.1 or more dates within the error over it
+    case Kind::slider: {  // a quadratic is integrated exactly
+      const Tolerance rounding = round_off(20, 1, 1.0);
+      return ContactErrors{always(rounding), always(rounding),       rounding,
+                           rounding,         round_off(0.5, 1, 3.0), {}};
+    }
+    case Kind::spring: {
+      const Tolerance none = round_off(1, 1, 0.0), step = error_per_step(1e-12 * 2.0);
+      return ContactErrors{always(none), always(none), step, step, round_off(0.5, 1, 1.2), {}};
+    }
+    case Kind::oscillator: {  // a turning point of amplitude 0.1 or more dates within the error over it
+      const auto grown = [](double factor) {
+        return
+            [factor](std::size_t i) { return error_per_step(factor * 1e-11 * pi * static_cast<double>(i)); };
+      };
       return ContactErrors{
-          [](std::size_t i) { return error_per_step(1e-12 * 10.0 * pi * static_cast<double>(i) / 0.4); },
-          [](std::size_t i) { return error_per_step(1e-12 * 10.0 * pi * static_cast<double>(i)); },
-          error_per_step(1e-12 * 50.0 * pi),
-          {},
-          error_per_step(4e-12 * 50.0 * pi),
+          grown(2.5), grown(1.0), error_per_step(1e-12 * 50.0 * pi), {}, error_per_step(4e-12 * 50.0 * pi),
           {}};
+    }
     case Kind::plane_below_limit:
       return ContactErrors{always({}), always({}), round_off(2, 1, 0.3), {}, round_off(20, 80, 1.0), {}};
     case Kind::shaken_plane: {
@@ -389,10 +392,10 @@ std::optional<ContactErrors> event_driven_errors(const ContactProblem& problem) 
       const auto rounding = [=](double t) { return round_off(20, omega * t, scale).value; };
       const auto time = [=, &problem, &events](std::size_t i) {
         const double t = events[i].time;
-        if (events[i].change == data::ContactChange::onset)
+        if (events[i].change == ContactChange::onset)
           return round_off(10, omega * t, amplitude / problem.rates[i]);
         std::size_t onset = i;
-        while (events[onset].change != data::ContactChange::onset) --onset;
+        while (events[onset].change != ContactChange::onset) --onset;
         return error_per_step((1e-12 * 10.0 * omega * (t - events[onset].time) * scale + rounding(t)) /
                               problem.rates[i]);
       };
@@ -400,9 +403,9 @@ std::optional<ContactErrors> event_driven_errors(const ContactProblem& problem) 
         const double t = events[i].time;
         return error_per_step(1e-12 * 10.0 * omega * t * scale + static_cast<double>(i + 1) * rounding(t));
       };
-      return ContactErrors{
-          time, position, {},
-          {},   {},       reference(1e-10 * *problem.friction_power, "ten digits of a 40-digit computation")};
+      const Tolerance power =
+          reference(1e-10 * *problem.friction_power, "ten digits of a 40-digit computation");
+      return ContactErrors{time, position, {}, {}, {}, power};
     }
     case Kind::two_masses: {
       // Up to 4.6 rad/s with slips of about 1 m/s; the slowest stops decelerate at 1 m/s^2, so that times are as good as
@@ -416,38 +419,16 @@ std::optional<ContactErrors> event_driven_errors(const ContactProblem& problem) 
 
 // The boundary integral, by the mobility of the system or by its free modes.
 
-using Complex = std::complex<double>;
-
-/// The mean over each step of the force that holds the contact, or that force in its middle, N.
+/// The mean over each step of the force that holds a single mass, N.
 std::vector<double> holding_forces(const ContactProblem& problem, double h) {
   const auto count = static_cast<std::size_t>(std::lround(problem.sample_times.back() / h));
+  const double half = 0.5 * problem.mass.omega * h;
   std::vector<double> forces;
-  if (!problem.is_pair()) {
-    const double half = 0.5 * problem.mass.omega * h;
-    for (std::size_t n = 0; n < count; ++n)
-      forces.push_back(problem.mass.stiffness * problem.position +
-                       problem.mass.mass * problem.mass.wall_acceleration *
-                           std::sin(half * static_cast<double>(2 * n + 1)) * std::sin(half) / half);
-    return forces;
-  }
-  const ForcedPair& pair = problem.pair;
-  analytic::ContactModel model = contact_model(pair);
-  model.friction = data::FrictionLaw({.static_coefficient = 1e6, .kinetic_coefficient = 0.0, .decay = 0.0});
-  analytic::EventDriven held(model);
-  held.start_stuck({0.0}, {-static_shape(pair) * pair.omega * pair.wall_amplitude / mode_shape(pair)});
-  for (std::size_t n = 0; n < count; ++n) {
-    held.advance_to((static_cast<double>(n) + 0.5) * h);
-    forces.push_back(held.holding_force());
-  }
+  for (std::size_t n = 0; n < count; ++n)
+    forces.push_back(problem.mass.stiffness * problem.position +
+                     problem.mass.mass * problem.mass.wall_acceleration *
+                         std::sin(half * static_cast<double>(2 * n + 1)) * std::sin(half) / half);
   return forces;
-}
-
-/// Velocity of the free contact per unit force on it.
-Complex mobility(const ContactProblem& problem, Complex s) {
-  if (!problem.is_pair()) return s / (problem.mass.mass * s * s + problem.mass.stiffness);
-  const Eigen::Matrix2cd dynamic =
-      s * s * problem.pair.mass + s * problem.pair.damping + problem.pair.slip_stiffness;
-  return s * dynamic(0, 0) / (dynamic(0, 0) * dynamic(1, 1) - dynamic(0, 1) * dynamic(1, 0));
 }
 
 /// Changes of the direction of sliding after which the new one, or stick, lasts three steps or more: the velocity that is left at
@@ -482,16 +463,15 @@ ContactHistory history_of(const ContactProblem& problem, const std::vector<analy
 }
 
 analytic::ContactLaw law_of(const ContactProblem& problem) {
-  if (!problem.is_pair()) return {problem.mass.normal_force, data::FrictionLaw(problem.mass.friction)};
-  const double mu = problem.pair.friction_coefficient;
-  return {problem.pair.normal_force,
-          data::FrictionLaw({.static_coefficient = mu, .kinetic_coefficient = mu, .decay = 0.0})};
+  return {problem.mass.normal_force, data::FrictionLaw(problem.mass.friction)};
 }
 
 ContactHistory run_boundary_integral(const ContactProblem& problem, double h) {
   const auto forces = holding_forces(problem, h);
-  const auto weights =
-      analytic::mobility_weights([&](Complex s) { return mobility(problem, s); }, h, forces.size(), 2);
+  const auto mobility = [&mass = problem.mass](std::complex<double> s) {
+    return s / (mass.mass * s * s + mass.stiffness);
+  };
+  const auto weights = analytic::mobility_weights(mobility, h, forces.size(), 2);
   return history_of(problem, analytic::contact_steps(weights, law_of(problem), forces), h);
 }
 
@@ -504,47 +484,29 @@ ContactHistory run_free_modes(const ContactProblem& problem, double h) {
 }
 
 /// The friction force of a step in which the contact changes is off by at most 2 mu N, the velocity behind it by 2 mu N h/m, and
-/// neither friction nor damping amplifies a difference of velocities: 20 h W for the power of the plane. With two masses
-/// 2 mu N h/m_c = 4.4 h; their stops decelerate at 1 m/s^2 or more, so that times are off by 4.4 h and a step, and positions
-/// gather 4.4 h for at most 12 s.
+/// neither friction nor damping amplifies a difference of velocities: 20 h W for the power of the plane.
 std::optional<ContactErrors> boundary_integral_errors(const ContactProblem& problem, double h) {
   if (problem.start == ContactState::slip) return std::nullopt;
-  const auto always = [](double error, const char* law) {
-    return [=](std::size_t) { return discretisation(error, 1.0, law); };
-  };
+  const auto of_step = [](double error, const char* law) { return discretisation(error, 1.0, law); };
   switch (problem.kind) {
-    case Kind::oscillator:
-      return ContactErrors{[=, &problem](std::size_t i) {
-                             const double late =
-                                 i == 0 ? 0.0 : 0.8 * h * static_cast<double>(i) / problem.rates[i];
-                             return discretisation(h + late, 1.0, "a step, and 2 mu N h/m an event");
-                           },
-                           always(0.8 * h * 5.0 * 12.0, "2 mu N h/m an event for 12 s"),
-                           {},
-                           {},
-                           {},
-                           {}};
-    case Kind::plane_below_limit:
-      return ContactErrors{always(0.0, "none"),
-                           always(0.0, "none"),
-                           round_off(2, 1, 0.3),
-                           {},
-                           discretisation(0.5 * h * 2.0 * pi * 0.99, 1.01, "half a step"),
-                           {}};
-    case Kind::shaken_plane: {
-      const double power = *problem.friction_power;
-      return ContactErrors{{}, {}, {},
-                           {}, {}, discretisation(20.0 * h * std::min(1.0, power), 1.0, "20 h W")};
+    case Kind::oscillator: {
+      const auto time = [=, &problem](std::size_t i) {
+        const double late = i == 0 ? 0.0 : 0.8 * h * static_cast<double>(i) / problem.rates[i];
+        return of_step(h + late, "a step, and 2 mu N h/m an event");
+      };
+      return ContactErrors{time, always(of_step(0.8 * h * 5.0 * 12.0, "2 mu N h/m an event for 12 s"))};
     }
-    case Kind::two_masses:
-      if (problem.position != 0.0) return std::nullopt;
-      return ContactErrors{
-          always(5.4 * h, "4.4 h and a step"), always(4.4 * h * 12.0, "4.4 h for 12 s"), {}, {}, {}, {}};
-    case Kind::slider:
-    case Kind::spring:
+    case Kind::plane_below_limit:
+      return ContactErrors{.time = always({}),
+                           .position = always({}),
+                           .sample_position = round_off(2, 1, 0.3),
+                           .friction_force = of_step(0.5 * h * 2.0 * pi * 0.99 * 1.01, "half a step")};
+    case Kind::shaken_plane:
+      return ContactErrors{.friction_power =
+                               of_step(20.0 * h * std::min(1.0, *problem.friction_power), "20 h W")};
+    default:
       return std::nullopt;
   }
-  return std::nullopt;
 }
 
 std::vector<ContactEngine> contact_engines() {
@@ -570,10 +532,7 @@ std::vector<ContactEngine> contact_engines() {
                        [h](const ContactProblem& problem) { return run_boundary_integral(problem, h); },
                        errors});
     engines.push_back({"FreeModes" + parameter_name(1e3 * h) + "ms", "D4",
-                       [h](const ContactProblem& problem) { return run_free_modes(problem, h); },
-                       [errors](const ContactProblem& problem) {
-                         return problem.is_pair() ? std::nullopt : errors(problem);
-                       }});
+                       [h](const ContactProblem& problem) { return run_free_modes(problem, h); }, errors});
   }
   return engines;
 }
