@@ -65,10 +65,8 @@ TEST(SteadySliding, DeflectionIsThatOfTheMesh) {
                                     steady.tip_displacement -
                                 1.0));
     }
-    EXPECT_LT(errors[1], 1e-5);
-    // Order 4 of the mesh.
-    EXPECT_GT(errors[0] / errors[1], 14.0);
-    EXPECT_LT(errors[0] / errors[1], 18.0);
+    // Order 4 of the mesh; the next term is P l^2/EI of 4 elements, 0.06.
+    EXPECT_TRUE(within(errors[0] / errors[1], 16.0, discretisation(16.0 * 0.06, 1.0, "P l^2/EI")));
     // The limit of Y(s)/s.
     const analytic::TipMobility mobility(beam);
     EXPECT_TRUE(within((mobility(1e-4) / 1e-4).real() * steady.friction_force / steady.tip_displacement, 1.0,
@@ -76,7 +74,7 @@ TEST(SteadySliding, DeflectionIsThatOfTheMesh) {
   }
 }
 
-TEST(SteadySliding, HasTheSlopeOfFrictionInBothImplementations) {
+TEST(SteadySliding, HasTheSlopeOfFrictionInBoth) {
   data::Case problem = reed();
   problem.friction = data::FrictionLaw(
       {.static_coefficient = 0.6, .kinetic_coefficient = 0.4, .decay = 2.0, .viscous = 0.3});
@@ -85,17 +83,15 @@ TEST(SteadySliding, HasTheSlopeOfFrictionInBothImplementations) {
   EXPECT_TRUE(within(solver::falling_slope(mesh_of(problem, 2)), slope, round_off(10, 1, 0.7 * force)));
 }
 
-TEST(SteadySliding, HasNoImpedanceAtAnEigenvalue) {
-  const auto mobility = analytic::contact_mobility(contact_model({.mass = 2.0, .stiffness = 50.0}));
-  EXPECT_EQ(1.0 / mobility(std::complex<double>(0.0, 5.0)), 0.0);
-}
-
-TEST(SteadySliding, MassLosesStabilityAtTheSlopeOfFriction) {
+TEST(SteadySliding, OfAMassIsLostAtASlope) {
   analytic::ContactModel model = contact_model({.mass = 2.0, .stiffness = 50.0});
   model.damping = analytic::Matrix(1, 1);
   model.damping(0, 0) = 0.7;
   const auto modes = analytic::sliding_modes(analytic::contact_mobility(model), {5.0}, 1.5);
   ASSERT_EQ(modes.size(), 1u);
+  model.damping(0, 0) = 0.0;
+  EXPECT_EQ(1.0 / analytic::contact_mobility(model)(Complex(0.0, 5.0)),
+            0.0);  // no impedance at an eigenvalue
   EXPECT_TRUE(within(modes[0].one_mode_slope, 0.7, discretisation(1e-10, 1.0, "difference quotient of Z")));
   EXPECT_TRUE(within(modes[0].hopf->slope, 0.7, round_off(100, 1, 0.7)));
   EXPECT_TRUE(within(modes[0].hopf->angular_frequency, 5.0, round_off(100, 1, 5.0)));
@@ -105,17 +101,16 @@ TEST(SteadySliding, MassLosesStabilityAtTheSlopeOfFriction) {
   const double speed = analytic::speed_of_slope(law, 10.0, 0.7);
   EXPECT_TRUE(within(analytic::falling_slope(law, 10.0, speed), 0.7, round_off(10, 1, 4.0)));
   EXPECT_EQ(analytic::speed_of_slope(law, 10.0, 4.0), 0.0);
-  EXPECT_EQ(analytic::speed_of_slope(data::FrictionLaw({0.6, 0.4, 2.0, 0.0}), 10.0, 0.0),
-            std::numeric_limits<double>::infinity());
   // Constant friction: the slope 0 of every speed is above a slope that drives, and below one that is held.
-  EXPECT_EQ(analytic::speed_of_slope(data::FrictionLaw({0.4, 0.4}), 10.0, -0.1),
-            std::numeric_limits<double>::infinity());
+  const double never = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(analytic::speed_of_slope(data::FrictionLaw({0.6, 0.4, 2.0, 0.0}), 10.0, 0.0), never);
+  EXPECT_EQ(analytic::speed_of_slope(data::FrictionLaw({0.4, 0.4}), 10.0, -0.1), never);
   EXPECT_EQ(analytic::speed_of_slope(data::FrictionLaw({0.4, 0.4}), 10.0, 0.1), 0.0);
 }
 
 // A mode that creeps back, s^2 + 3 s + 1, has no root off the real axis; one that vibrates, s^2 + s/50 + 100, has -0.01 + i
 // 10 to 1e-4.
-TEST(SteadySliding, LeavesOutAModeThatCreepsBackWithAllThatFollow) {
+TEST(SteadySliding, LeavesOutAModeThatCreepsBack) {
   const auto mobility = [](Complex s) {
     return s / (s * s + 3.0 * s + 1.0) + s / (s * s + 0.02 * s + 100.0);
   };
@@ -125,9 +120,22 @@ TEST(SteadySliding, LeavesOutAModeThatCreepsBackWithAllThatFollow) {
   EXPECT_TRUE(within(modes[0].free_root, Complex(-0.01, std::sqrt(100.0 - 1e-4)), round_off(100, 1, 10.0)));
 }
 
-// The eigenvalue of the mesh near i omega at the slope at which the mode is at the limit of its stability.
-Complex eigenvalue_at_the_limit(const solver::ContactSystem& mesh, const analytic::HopfPoint& limit) {
-  return nearest(solver::sliding_eigenvalues(mesh, limit.slope), Complex(0.0, limit.angular_frequency));
+// kappa g_k/2 = zeta_k omega_k, with the g_k of the modes without damping. The contact couples the modes: the slope that all
+// of them hold differs from it by a term of second order in the damping.
+TEST(SteadySliding, OfOneModeIsAFormula) {
+  std::vector<double> coupling;
+  for (const std::string damping : {"4e-6", "2e-6"}) {
+    const data::Case problem = reed({{"damping.ratio", "0.0"}, {"damping.kelvin_voigt", damping}});
+    const auto mode = analytic::sliding_modes(analytic::TipMobility(problem.beam, problem.damping),
+                                              free_frequencies(problem, 1), 0.0)
+                          .front();
+    const double input = analytic::free_modes(problem.beam, 1).front().input;
+    EXPECT_TRUE(within(mode.one_mode_slope * input / 2.0, -mode.free_root.real(),
+                       discretisation(-1e-12 * mode.free_root.real(), 5.0, "(1e-3)^4 of the derivative")));
+    coupling.push_back(mode.hopf->slope / mode.one_mode_slope - 1.0);
+  }
+  // The next term is of the order of the damping ratio, 0.3 %.
+  EXPECT_TRUE(within(coupling[0] / coupling[1], 4.0, discretisation(4.0 * 0.003, 2.0, "damping ratio")));
 }
 
 // Eigenvalues of matrices on one side, the characteristic equation of the mobility on the other: the same mesh.
@@ -141,30 +149,13 @@ TEST(SteadySliding, EigenvaluesCrossWhereTheMobilitySays) {
   const auto eigenvalues = solver::sliding_eigenvalues(mesh, 2.0);
   for (const auto& mode : modes) {
     // Round-off of an eigenvalue relative to its modulus, over the damping ratio of 1 % and more.
-    EXPECT_TRUE(within(eigenvalue_at_the_limit(mesh, *mode.hopf).real(), 0.0,
-                       round_off(100, 1.0 / 0.01, mode.free_root.real())));
+    EXPECT_TRUE(within(nearest(solver::sliding_eigenvalues(mesh, mode.hopf->slope),
+                               Complex(0.0, mode.hopf->angular_frequency))
+                           .real(),
+                       0.0, round_off(100, 1.0 / 0.01, mode.free_root.real())));
     const Complex eigenvalue = nearest(eigenvalues, *mode.root);
     EXPECT_TRUE(within(eigenvalue, *mode.root, round_off(1e4, 1, std::abs(eigenvalue))));
   }
-}
-
-// kappa g_k/2 = zeta_k omega_k, with the g_k of the modes without damping. The contact couples the modes: the slope that all
-// of them hold differs from it by a term of second order in the damping.
-TEST(SteadySliding, OneModeHasTheFormulaOfNegativeDamping) {
-  std::vector<double> coupling;
-  for (const std::string damping : {"4e-6", "2e-6"}) {
-    const data::Case problem = reed({{"damping.ratio", "0.0"}, {"damping.kelvin_voigt", damping}});
-    const auto mode = analytic::sliding_modes(analytic::TipMobility(problem.beam, problem.damping),
-                                              free_frequencies(problem, 1), 0.0)
-                          .front();
-    const double input = analytic::free_modes(problem.beam, 1).front().input;
-    EXPECT_TRUE(within(mode.one_mode_slope * input / 2.0, -mode.free_root.real(),
-                       discretisation(-1e-12 * mode.free_root.real(), 5.0, "(1e-3)^4 of the derivative")));
-    coupling.push_back(mode.hopf->slope / mode.one_mode_slope - 1.0);
-  }
-  EXPECT_LT(std::abs(coupling[0]), 1e-5);
-  EXPECT_GT(coupling[0] / coupling[1], 3.9);
-  EXPECT_LT(coupling[0] / coupling[1], 4.1);
 }
 
 // The eigenvalue of a mesh that begins at the mode without friction, followed to the slope held. Heavy damping of the higher
@@ -183,8 +174,9 @@ TEST(SteadySliding, SlopeHeldIsThatOfTheModeItself) {
       Complex root = mode.free_root;
       for (int i = 0; i <= 50; ++i)
         root = nearest(solver::sliding_eigenvalues(mesh, mode.hopf->slope * i / 50.0), root);
-      EXPECT_NEAR(root.imag() / mode.hopf->angular_frequency, 1.0, 0.01);
-      EXPECT_LT(std::abs(root.real() / root.imag()), 0.01);
+      // Ten elements leave (beta l)^4/720 of mode 3.
+      EXPECT_TRUE(within(root / mode.hopf->angular_frequency, Complex(0.0, 1.0),
+                         discretisation(std::pow(7.86 / 10.0, 4) / 720.0, 10.0, "the mesh")));
     }
   });
   EXPECT_GE(std::min(crossing, held), 3);
@@ -194,29 +186,33 @@ TEST(SteadySliding, MapHasTheBoundaryOfTheHopfPoint) {
   const data::Case problem = reed();
   const auto squeal = studies::squeal_of(problem, 3);
   const double speed = *squeal.modes.front().critical_speed;
-  const std::vector<double> speeds{speed * (1.0 - 1e-6), speed * (1.0 + 1e-6)};
   for (const double ratio : {0.01, 0.02}) {
-    const auto growths = studies::sliding_growths(problem, speeds, ratio);
+    const auto growths =
+        studies::sliding_growths(problem, {speed * (1.0 - 1e-6), speed * (1.0 + 1e-6)}, ratio);
     ASSERT_EQ(growths.size(), 2u);
     EXPECT_EQ(growths[0] > 0.0, ratio == 0.01);
     EXPECT_LT(growths[1], 0.0);
   }
-  EXPECT_FALSE(squeal.all_modes);
+  EXPECT_FALSE(squeal.all_modes || squeal.is_stable());
   EXPECT_TRUE(studies::squeal_of(viscous_reed(), 1).all_modes);
-  for (const auto& mode : squeal.modes)  // on 20 elements, of fourth order
-    EXPECT_LT(std::abs(*mode.finite_element_root / *mode.root - 1.0), 1e-3);
   EXPECT_EQ(squeal.fastest, squeal.modes[0].finite_element_root);
-  const auto roots = analytic::sliding_eigenvalues(studies::response_model(problem), squeal.slope);
-  for (const auto& mode : squeal.modes)  // the same model as a matrix and by its mobility
-    EXPECT_TRUE(within(nearest(roots, *mode.root), *mode.root, round_off(1e4, 1, std::abs(*mode.root))));
   EXPECT_TRUE(within(squeal.friction_force, 3.0 + 2.0 * std::exp(-1.5), round_off(10, 1, 5.0)));
   EXPECT_TRUE(within(squeal.slope, 10.0 * std::exp(-1.5), round_off(10, 1, 10.0)));
+  // (beta l)^4/720 of mode 3 on 20 elements. A static deflection is a cubic, but for the small P.
+  const double mesh = std::pow(7.86 / 20.0, 4) / 720.0;
   const double tip = analytic::steady_sliding(problem.beam, problem.friction, problem.wall).tip_displacement;
   EXPECT_EQ(squeal.tip_displacement, tip);
-  EXPECT_NEAR(squeal.finite_element_displacement, tip, 1e-8 * tip);  // a cubic, but for the small P
-  for (const auto& mode : squeal.modes) {  // coupled by the contact at second order in 1 % of damping
-    EXPECT_NEAR(mode.damping_ratio, 0.01, 1e-3 * 0.01);
-    EXPECT_NEAR(*mode.critical_slope, mode.one_mode_slope, 2e-3 * mode.one_mode_slope);
+  EXPECT_TRUE(within(squeal.finite_element_displacement, tip, discretisation(mesh * tip, 1.0, "mesh")));
+  const auto roots = analytic::sliding_eigenvalues(studies::response_model(problem), squeal.slope);
+  for (const auto& mode : squeal.modes) {
+    const double size = std::abs(*mode.root);
+    EXPECT_TRUE(within(*mode.finite_element_root, *mode.root, discretisation(mesh * size, 2.0, "mesh")));
+    // The same model as a matrix and by its mobility.
+    EXPECT_TRUE(within(nearest(roots, *mode.root), *mode.root, round_off(1e4, 1, size)));
+    // Coupled by the contact at second order in 1 % of damping, which makes it less than a fifth of that in the ratio.
+    EXPECT_TRUE(within(mode.damping_ratio, 0.01, discretisation(1e-4 * 0.01, 10.0, "ratio^2")));
+    EXPECT_TRUE(within(*mode.critical_slope, mode.one_mode_slope,
+                       discretisation(1e-4 * mode.one_mode_slope, 20.0, "ratio^2")));
   }
   // Without damping nothing is held, at any speed.
   const auto undamped = studies::squeal_of(reed({{"damping.ratio", "0.0"}}), 1).modes.front();
@@ -224,13 +220,12 @@ TEST(SteadySliding, MapHasTheBoundaryOfTheHopfPoint) {
   EXPECT_EQ(undamped.damping_ratio, 0.0);
   EXPECT_EQ(undamped.one_mode_slope, 0.0);
   EXPECT_LT(studies::sliding_growths(viscous_reed(), {0.7}, 0.0).front(), 0.0);  // Kelvin-Voigt holds it
-  EXPECT_FALSE(squeal.is_stable());
   EXPECT_TRUE(studies::squeal_of(reed({{"wall.speed", "0.7"}}), 3).is_stable());
   EXPECT_THROW((void)studies::squeal_of(reed({{"wall.speed", "0.0"}}), 3), data::FieldError);
 }
 
 // Where friction falls fast, the highest modes of every mesh grow, and faster the finer it is.
-TEST(SteadySliding, IsJudgedByTheModesThatTheMeshResolves) {
+TEST(SteadySliding, IsJudgedByResolvedModes) {
   std::vector<double> growth;
   for (const char* elements : {"10", "20", "40"}) {
     const data::Case problem = reed({{"damping.ratio", "0.001"},
@@ -239,17 +234,22 @@ TEST(SteadySliding, IsJudgedByTheModesThatTheMeshResolves) {
                                      {"numerics.elements", elements}});
     const auto squeal = studies::squeal_of(problem, 3);
     EXPECT_TRUE(squeal.unresolved_mode_grows) << elements;
-    EXPECT_NEAR(squeal.resolved_hz, studies::resolved_frequency(problem), 0.0);
     // beta l = 1.948 at 1 %, and beta L = (n - 1/2) pi.
-    EXPECT_NEAR(squeal.resolved_modes, 1.948 * problem.numerics.elements() / std::numbers::pi + 0.5, 1.0);
+    const double beta_l = 1.948 * problem.numerics.elements();
+    EXPECT_TRUE(
+        within(squeal.resolved_modes, beta_l / std::numbers::pi + 0.5, reference(1.0, "a whole number")));
+    const double omega = beta_l * beta_l * frequency_unit(problem.beam);
+    EXPECT_TRUE(within(2.0 * std::numbers::pi * squeal.resolved_hz, omega,
+                       discretisation(omega * 1e-3, 1.0, "four digits of 1.948")));
     EXPECT_LT(std::abs(squeal.fastest), 2.0 * std::numbers::pi * squeal.resolved_hz);
     growth.push_back(squeal.fastest.real());
   }
-  EXPECT_NEAR(growth[1] / growth[2], 1.0, 1e-4);
+  // Of order 4 in the mesh.
+  EXPECT_LT(std::abs(growth[1] - growth[2]), 0.5 * std::abs(growth[0] - growth[1]));
 }
 
 // The real root of the mesh is one of the continuous beam.
-TEST(SteadySliding, DivergesWithARealRootOfTheCharacteristicEquation) {
+TEST(SteadySliding, DivergesWithARealRootOfTheBeam) {
   const data::Case problem = reed({{"damping.ratio", "0.0"},
                                    {"damping.kelvin_voigt", "1e-4"},
                                    {"wall.speed", "0.01"},
@@ -260,14 +260,15 @@ TEST(SteadySliding, DivergesWithARealRootOfTheCharacteristicEquation) {
   EXPECT_FALSE(squeal.modes.front().root);
   EXPECT_EQ(squeal.modes.front().finite_element_root, squeal.fastest);
   const analytic::TipMobility mobility(problem.beam, problem.damping);
-  EXPECT_NEAR((1.0 / mobility(squeal.fastest)).real() / squeal.slope, 1.0, 1e-3);
+  EXPECT_TRUE(within((1.0 / mobility(squeal.fastest)).real() / squeal.slope, 1.0,
+                     discretisation(1e-3, 1.0, "sigma of a mesh of 40 elements")));
 }
 
 // --- The wall that moves in the time stepper
 
 STICKSLIP_VERIFIES(MovingWallOfTheMesh, "W1");
 // Beside a base that moves, too, and with a friction that has its least value at 0.46 m/s.
-TEST(MovingWallOfTheMesh, HasTheChangesOfTheEventDrivenRun) {
+TEST(MovingWallOfTheMesh, HasTheChangesOfEvents) {
   const data::FrictionLaw friction(
       {.static_coefficient = 0.5, .kinetic_coefficient = 0.3, .decay = 5.0, .viscous = 0.1});
   const data::Case problem = with(viscous_reed(), shaking(250.0, 5e-5), friction);
@@ -284,15 +285,13 @@ TEST(MovingWallOfTheMesh, HasTheChangesOfTheEventDrivenRun) {
       EXPECT_TRUE(within(onset.position, problem.wall.speed() * onset.time, round_off(100, 1, 1e-3)));
     }
   }
-  // Second order, down to what mesh and modes leave.
-  EXPECT_GT(errors[0] / errors[1], 3.5);
-  EXPECT_LT(errors[1], 1e-8);
+  EXPECT_GT(errors[0] / errors[1], 3.5);  // second order, down to what mesh and modes leave
 }
 
 // --- From rest
 
 STICKSLIP_VERIFIES(Cycles, "W3");
-TEST(Cycles, AreIndependentOfWallDirectionAndSettling) {
+TEST(Cycles, AreIndependentOfSettling) {
   const auto cycle = studies::cycle_of(reed({{"numerics.modes", "4"}}), 1, 60);
   ASSERT_TRUE(cycle.search.motion);
   EXPECT_TRUE(studies::is_stable(cycle));
@@ -340,13 +339,11 @@ TEST(Cycles, OfTheShakenBeamReturnButAreUnstable) {
   EXPECT_TRUE(cycle.forced);
   EXPECT_FALSE(studies::is_stable(cycle));
   EXPECT_LT(motion.residual, 1e-9);
-  // It slides twice a period, from one end of its path to the other, about in half a sine.
   const double path = std::abs(motion.events.at(2).position - motion.events.at(0).position);
-  EXPECT_NEAR(cycle.peak_to_peak, path, 1e-6 * path);
-  const double mean = path / (0.5 * motion.period * (1.0 - cycle.stick_share));
-  EXPECT_NEAR(cycle.largest_sliding, 0.5 * std::numbers::pi * mean, 0.2 * mean);
+  EXPECT_TRUE(within(cycle.peak_to_peak, path, discretisation(1e-6 * path, 1.0, "samples of half a sine")));
+  EXPECT_GT(cycle.largest_sliding, path / (0.5 * motion.period * (1.0 - cycle.stick_share)));  // the mean
   const double modulus = std::abs(motion.multipliers.front());
-  EXPECT_GT(modulus, 1.2);
+  EXPECT_GT(modulus, 1.0);
   EXPECT_LT(std::abs(motion.multipliers.back()), 1e-12);
   // Of two periods they are the squares.
   const auto model = analytic::BeamContactModel(problem, 3).model();
@@ -357,7 +354,7 @@ TEST(Cycles, OfTheShakenBeamReturnButAreUnstable) {
              discretisation(motion.residual, 1e4, "of x(T) = x(0), times the curvature of the flow")));
 }
 
-TEST(Cycles, AreStableUpToTheShiftInTimeOfASelfExcitedOne) {
+TEST(Cycles, AreStableUpToAShiftInTime) {
   studies::Cycle cycle;
   const auto stable = [&](bool forced, double multiplier) {
     cycle.forced = forced;
