@@ -101,11 +101,6 @@ TEST(BoundaryIntegral, ConvolvesAsItsSumsDo) {
   }
 }
 
-TEST(BoundaryIntegral, RefusesMoreValuesThanWeights) {
-  EXPECT_EQ(analytic::contact_steps({1.0, 2.0}, {}, {1.0, 1.0}).size(), 2u);
-  EXPECT_THROW((void)analytic::contact_steps({1.0, 2.0}, {}, {1.0, 1.0, 1.0}), std::invalid_argument);
-}
-
 TEST(BoundaryIntegral, FindsTheOnlySolutionOfAStep) {
   // kappa W = 0.3 * 500 * 2e-3 = 0.3.
   const ContactLaw law{500.0, paper_friction()};
@@ -127,9 +122,6 @@ TEST(BoundaryIntegral, FindsTheOnlySolutionOfAStep) {
   }
 }
 
-const ContactLaw one_newton{
-    10.0, data::FrictionLaw({.static_coefficient = 0.1, .kinetic_coefficient = 0.1, .decay = 0.0})};
-
 TEST(BoundaryIntegral, RefusesSeveralSolutions) {
   const ContactLaw law{500.0, paper_friction()};  // kappa = 150 N s/m
   EXPECT_NO_THROW(analytic::require_unique_step(law, 0.999 / 150.0));
@@ -149,31 +141,12 @@ TEST(BoundaryIntegral, RefusesUnusableSteps) {
   const auto mass = [](Complex s) { return 1.0 / s; };
   EXPECT_THROW((void)analytic::mobility_weights(mass, 0.0, 1, 2), data::FieldError);
   EXPECT_THROW((void)analytic::discrete_mobility(mass, 0.0, 2, 0.5), data::FieldError);
-  EXPECT_THROW(analytic::FreeModeRun({{0.0, 1.0}}, one_newton, 0.0), data::FieldError);
+  EXPECT_THROW(analytic::FreeModeRun({{0.0, 1.0}}, {}, 0.0), data::FieldError);
   EXPECT_THROW((void)analytic::mobility_weights(mass, 0.1, 0, 2), std::invalid_argument);
+  EXPECT_THROW((void)analytic::contact_steps({1.0, 2.0}, {}, {1.0, 1.0, 1.0}), std::invalid_argument);
   EXPECT_EQ(analytic::mobility_weights(mass, 0.1, 1, 2).size(), 1u);
   for (const int stages : {0, analytic::most_stages + 1})
     EXPECT_THROW((void)analytic::mobility_weights(mass, 0.1, 1, stages), std::invalid_argument) << stages;
-}
-
-/// Means of A sin(2 pi t) over the steps: the holding force of SDND104.
-std::vector<double> shaking(double amplitude, double h, double end) {
-  std::vector<double> forces;
-  for (double n = 0.5; n * h < end; n += 1.0)
-    forces.push_back(amplitude * std::sin(2.0 * pi * n * h) * std::sin(pi * h) / (pi * h));
-  return forces;
-}
-
-TEST(BoundaryIntegral, IsTheRunOfItsOneMode) {
-  const double h = 1e-3;
-  const auto forces = shaking(1.5, h, 4.0);
-  const auto steps = analytic::contact_steps(
-      analytic::mobility_weights([](Complex s) { return 1.0 / s; }, h, forces.size(), 2), one_newton, forces);
-  analytic::FreeModeRun run({{0.0, 1.0}}, one_newton, h);
-  for (std::size_t n = 0; n < forces.size(); ++n)  // 4000 weights, forces of about 1 N
-    ASSERT_TRUE(
-        within(steps[n].sliding_velocity, run.step(forces[n]).sliding_velocity, of_weights(4000.0 * h)))
-        << n;
 }
 
 }  // namespace

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
-/// The beam as a ContactModel: the same as of a mesh, its reaction in the limit, its damping.
+/// The beam as a ContactModel: the same as of a mesh, and its damping.
 
 #include <Eigen/Dense>
 
 #include "stickslip/analytic/beam_contact_model.hpp"
-#include "stickslip/analytic/event_driven.hpp"
-#include "stickslip/analytic/stick_response.hpp"
 #include "studies/verification/finite_element_contact_model.hpp"
 #include "support/random_beams.hpp"
 #include "support/testing.hpp"
@@ -15,12 +13,10 @@ namespace {
 
 using analytic::BeamContactModel;
 using analytic::ContactModel;
-using std::numbers::pi;
 
 constexpr double mass_per_length = 10.0;         // rho A, kg/m
 constexpr double bending_stiffness = 5e4 / 3.0;  // EI, N m^2
 constexpr double length = 2.0;
-const data::HarmonicExcitation base({.frequency_hz = 25.0, .amplitude = 1e-3});
 
 BeamContactModel beam_model(int modes, const data::DampingProperties& damping = {},
                             double axial_force = 500.0) {
@@ -93,43 +89,6 @@ TEST(BeamContactModel, IsTheLimitOfMeshes) {
                std::sqrt(own * closed.damping(k, k)));
     }
   });
-}
-
-TEST(BeamContactModel, ErrsByOmittedModes) {
-  // Undamped modes are apart in stick: what N of them leave out of f_d is the sum of a_n T_tt + l_n T with T
-  // = steady (sin(Omega t) - Omega/omega_n sin(omega_n t)), less than the sum of the amplitudes. The free
-  // vibrations set it: n^-4 a term, N^-3 all of them.
-  const double duration = 0.05, omega = 50.0 * pi;
-  const int all = 160;
-  const analytic::StickResponse exact(paper_beam(), base, all, analytic::SteadyPart::exact);
-  const ContactModel full = beam_model(all).model();
-  std::vector<double> inverse, errors;
-  for (const int modes : {5, 10, 20, 40, 80}) {
-    double bound = 0.0;
-    for (auto n = static_cast<std::size_t>(modes); n < full.modes(); ++n) {
-      const double own = full.angular_frequency[n], coupling = full.mass_coupling[n];
-      const double load = std::abs(full.load[n] + coupling * omega * omega * full.wall_amplitude);
-      const double steady = load / (own * own - omega * omega);
-      bound += steady * (std::abs(coupling) * omega * (omega + own) +
-                         std::abs(full.follower[n]) * (1.0 + omega / own));
-    }
-    // The terms beyond `all`, and the free vibrations beyond them that StickResponse leaves out.
-    bound += 2.0 * exact.omitted_transient_bound();
-    ContactModel model = beam_model(modes).model();
-    model.friction = data::FrictionLaw({.static_coefficient = 1e9, .kinetic_coefficient = 1e9, .decay = 0.0});
-    analytic::EventDriven held(model);
-    double error = 0.0;
-    for (int k = 1; k <= 500; ++k) {
-      held.advance_to(duration * k / 500.0);
-      error = largest_or_nan({error, std::abs(held.friction_force() + exact.friction_force(held.time()))});
-    }
-    EXPECT_TRUE(within(error, 0.0, discretisation(bound, 1.0, "sum of the omitted amplitudes"))) << modes;
-    EXPECT_GT(error, 0.02 * bound) << "a bound that loose proves nothing at " << modes;
-    inverse.push_back(1.0 / modes);
-    errors.push_back(error);
-  }
-  // 0.2 for omega_n, which is proportional to (n + 1/4)^2 and not to n^2.
-  EXPECT_GT(observed_order(inverse, errors), 2.8);
 }
 
 TEST(BeamContactModel, DampsEveryFreeMode) {
