@@ -191,19 +191,6 @@ TEST(JumpOfFriction, IsTheLimitOfEverFasterDecay) {
   EXPECT_EQ(studies::weakening(data::FrictionLaw(jumping), 10.0), 0.0);  // nothing grows in slip
 }
 
-TEST(JumpOfFriction, KeepsTheEnergyBalance) {
-  // 4 N pull a mass that 2 N hold in slip: x = t^2, of which half the work is lost.
-  analytic::ContactModel model = contact_model(SingleMass{.normal_force = 10.0, .friction = jumping});
-  model.contact_force = 4.0;
-  analytic::EventDriven run(model, {.keep_energy_balance = true});
-  run.start_stuck({}, {});
-  run.advance_to(3.0);
-  EXPECT_TRUE(within(run.contact_position(), 9.0, discretisation(9e-12, 1.0, "1e-12 a step")));
-  EXPECT_TRUE(within(run.energy_balance().base_work, 36.0, discretisation(36e-12, 1.0, "1e-12 a step")));
-  EXPECT_TRUE(within(run.energy_balance().friction_loss, 18.0, discretisation(36e-12, 1.0, "1e-12 a step")));
-  EXPECT_TRUE(within(run.energy_balance().kinetic, 18.0, discretisation(36e-12, 1.0, "1e-12 a step")));
-}
-
 TEST(JumpOfFriction, IsRefusedByUniqueSteps) {
   EXPECT_THROW(analytic::require_unique_step({10.0, data::FrictionLaw(jumping)}, 1e-9), data::FieldError);
 }
