@@ -43,10 +43,10 @@ std::vector<ErrorSequence> of_a_steady_vibration(double radius) {
       EXPECT_TRUE(
           within(errors[i], predicted[i],
                  discretisation(predicted[i] * missed, 1.0, "between two samples the error is larger")));
-      // Unit amplitudes; a step solves for accelerations, of which a displacement is the double sum.
+      // The next term is (omega h)^2 times a few. Unit amplitudes; a step solves for accelerations, of which a displacement is the double sum.
       levels.push_back({.step = h,
                         .error = errors[i],
-                        .next_term = 1.5 * std::abs(predicted[i] / (constant * h * h) - 1.0) + missed,
+                        .next_term = 4.0 * std::pow(3.0 * h, 2) + missed,
                         .floor = round_off(1, 1.0 / std::pow(3.0 * h, 2), 1.0).value});
     }
     return ErrorSequence{levels, constant};
