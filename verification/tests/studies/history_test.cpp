@@ -205,7 +205,7 @@ const CaseDomain slipping{.lowest_force = 0.01,
 std::vector<BeamMethod> beam_methods() {
   CaseDomain light = slipping, resting = slipping, quick = slipping;
   light.kelvin_voigt = 0.5;
-  resting.moving_wall = 0.0;
+  resting.moving_wall = 0.0, resting.resonant = 0.3;
   quick.longest = 1.5, quick.lowest_frequency = 0.3, quick.ratio = quick.moving_wall = quick.jump = 0.0;
   quick.yielding = 0.2;
   const auto of_case = [](const data::Case& problem) { return problem.numerics.time_step(); };
