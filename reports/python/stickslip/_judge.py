@@ -48,7 +48,7 @@ class Quantity:
 
     def count(self, where):
         """One more that differs, of what is counted."""
-        self.where, self.error = self.where or where, self.error + 1
+        self.where, self.error = self.where if self.error else where, self.error + 1
         self.is_strict = self.error <= self.own_tolerance
         self.verdict = "differs" if self.error > self.tolerance else self.verdict
 
@@ -256,7 +256,9 @@ class _Comparison:
                            for name, value in self.rules.items() if name in theirs.cells]
         self.remarks += [f"{name} is not in the file and was not compared" for name in self.rules if name not in theirs.cells]
         self._use_known_keys()
-        self._require_order()
+        self._require_order(reference, theirs, self.kind, self.abscissa, self.group_columns)
+        if their_events is not None:
+            self._require_order(of_events, their_events, "events", "time", [name for name in of_events.key if name != "index"])
         self.groups = self._find_groups()
         if rows and self.kind != "table" and len(self.groups) == 1:
             raise InputError(f"rows are given, but the data set {reference.name} is one sequence or curve")
@@ -305,20 +307,19 @@ class _Comparison:
         raise InputError(f"{self.theirs.places[row]}: {self._label(self.theirs, columns, row)} is not in the data set "
                          f"{self.reference.name}")
 
-    def _require_order(self):
+    def _require_order(self, reference, theirs, kind, abscissa, group_columns):
         """The abscissa does not decrease in a curve or a sequence; a key stands once in a table."""
-        before, is_table = {}, self.kind == "table"
-        numbered = self.reference.key if is_table or "index" in self.theirs.cells else []
-        seen = {}
-        for row in range(self.theirs.rows):
-            key = tuple(self.theirs.cells[name][row] for name in numbered)
-            if numbered and self.kind in ("table", "events") and seen.setdefault(key, row) != row:
-                raise InputError(f"{self.theirs.places[row]}: {self._label(self.theirs, numbered, row)} stands in "
-                                 f"{self.theirs.places[seen[key]]} already, but must stand once")
-            group = tuple(self.theirs.cells[name][row] for name in self.group_columns)
-            value = 0.0 if is_table else self.theirs.cells[self.abscissa][row]
+        before, is_table, seen = {}, kind == "table", {}
+        numbered = reference.key if is_table or "index" in theirs.cells else []
+        for row in range(theirs.rows):
+            key = tuple(theirs.cells[name][row] for name in numbered)
+            if numbered and kind in ("table", "events") and seen.setdefault(key, row) != row:
+                raise InputError(f"{theirs.places[row]}: {self._label(theirs, numbered, row)} stands in "
+                                 f"{theirs.places[seen[key]]} already, but must stand once")
+            group = tuple(theirs.cells[name][row] for name in group_columns)
+            value = 0.0 if is_table else theirs.cells[abscissa][row]
             if value < before.get(group, -INFINITY):
-                raise InputError(f"{self.theirs.places[row]}: {self.abscissa} is {value:g}, but must not be below {before[group]:g} of "
+                raise InputError(f"{theirs.places[row]}: {abscissa} is {value:g}, but must not be below {before[group]:g} of "
                                  "the row before")
             before[group] = value
 

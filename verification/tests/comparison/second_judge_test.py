@@ -2,14 +2,13 @@
 # SPDX-License-Identifier: MIT
 """second_judge_test.py PROGRAM: both judges, `stickslip compare` and the Python package, say the same of every file.
 
-The files are each data set itself, spoilt copies of it, the cases of the grammar in reports/manual/reference-data.md, and random
-files: STICKSLIP_FUZZ="COUNT SEED" in the environment asks for more of these. The program gets a copy of the data without
-`diagnosis`, which takes time and decides nothing.
+The files are spoilt copies of a data set of each kind, the cases of the grammar in reports/manual/reference-data.md, and random
+files: STICKSLIP_FUZZ="COUNT SEED" in the environment asks for more of these. They are to have the same verdict, numbers, place,
+counts and level. The program gets a copy of the data without `diagnosis`, which takes time and decides nothing.
 """
 import array
 import collections
 import contextlib
-import csv
 import gzip
 import hashlib
 import io
@@ -35,8 +34,6 @@ import stickslip  # noqa: E402
 from stickslip.__main__ import main  # noqa: E402
 
 PROGRAM = pathlib.Path(sys.argv.pop(1)).resolve()
-# The same code judges all data sets of a kind: other mistakes are tried once for each kind of comparison.
-EVERYWHERE = ("copy", "all values scaled by a 500th", "a narrow tolerance")
 STATUS = {"agrees": 0, "differs": 1, "refused": 2, "undecided": 3}
 
 # The grammar by cases: the exit status, the text, and the options beside --rows 1:1 of stick-frequencies; f stands for the frequency.
@@ -92,47 +89,28 @@ def changed(table, column, change):
 def copies(table):
     """Name of the mistake, text of the file, options of both judges."""
     head, *rows = changed(table, next(iter(table.text)), lambda cell, row: cell)
-    rule, values = table.comparison, table.comparison["values"]
+    kind, values = table.comparison["kind"], table.comparison["values"]
     first = next(value["field"] for value in values if value["norm"] != "word" and value["field"] != "time")
-    peak = max(range(table.rows), key=lambda row: abs(table.cells[first][row]))
-    number = lambda change: lambda cell, row: repr(change(float(cell), row)) if cell else cell  # noqa: E731
-    yield "copy", text_of([head, *rows]), []
-    for mistake, factor in (("all values scaled by a fifth", 1.2), ("all values scaled by a 500th", 1.002), ("sign", -1)):
-        yield mistake, text_of(changed(table, first, number(lambda x, row: factor * x))), []
-    yield "one value scaled", text_of(changed(table, first, number(lambda x, row: x * (1.3 if row == peak else 1)))), []
-    yield "a missing row", text_of([head, *rows[:peak], *rows[peak + 1:]]), []
-    yield "half", text_of([head, *rows[:table.rows // 2]]), []
-    yield "a tenth", text_of([head, *rows[:table.rows // 10 + 1]]), []
-    yield "every other row", text_of([head, *rows[::2]]), []
-    yield "a row twice", text_of([head, *rows[:3], rows[2], *rows[3:]]), []
-    yield "two columns alone", text_of([[cell for name, cell in zip(head, row) if name in (*table.key, first, "change", "phase")]
-                                        for row in [head, *rows]], ";"), []
-    yield "single precision", text_of([head, *([cell if table.types[name] != "number" or not cell else
-                                                repr(array.array("f", [float(cell)])[0]) for name, cell in zip(head, row)]
-                                               for row in rows)]), []
-    yield "a narrow tolerance", text_of([head, *rows]), ["--tolerance", "1e-9"]
-    yield "a wide tolerance", text_of(changed(table, first, number(lambda x, row: 1.02 * x))), ["--tolerance", "0.1"]
+    scaled = lambda factor: text_of(changed(table, first, lambda cell, row: cell and repr(factor * float(cell))))  # noqa: E731
+    everything = text_of([head, *rows])
+    yield "copy", everything, []
+    yield "all values scaled by a fifth", scaled(1.2), []
+    yield "sign", scaled(-1), []
+    yield "a narrow tolerance", everything, ["--tolerance", "1e-9"]
+    yield "a wide tolerance", scaled(1.02), ["--tolerance", "0.1"]
+    yield "single precision", text_of([head, *([cell if table.types[name] != "number" or not cell else repr(array.array("f", [float(cell)])[0])
+                                                for name, cell in zip(head, row)] for row in rows)]), []
     for word in (name for name in ("change", "phase", "verdict") if name in head):
         words = sorted(set(table.text[word]))
         swap = dict(zip(words, words[1:] + words[:1]))
         yield f"{word} interchanged", text_of(changed(table, word, lambda cell, row: swap[cell])), []
         yield f"{word} foreign", text_of(changed(table, word, lambda cell, row: "foo")), []
-    if rule["kind"] == "table":
-        yield "an unknown row", text_of([head, *rows, [cell if table.types[name] == "string" else "77" for name, cell in
-                                                      zip(head, rows[-1])]]), []
+    if kind == "table":
+        yield "an unknown row", text_of([head, *rows, [cell if table.types[name] == "string" else "77" for name, cell in zip(head, rows[-1])]]), []
         yield "some rows, as meant", text_of([head, *rows[:3]]), ["--rows", "1:3"]
         yield "some rows, more meant", text_of([head, *rows[:3]]), ["--rows", "1,3:5"]
-    if "time" in head:
-        yield "shifted", text_of(changed(table, "time", number(lambda t, row: t + 3e-4))), []
-        yield "slightly shifted", text_of(changed(table, "time", number(lambda t, row: t + 2e-5))), []
-        yield "in milliseconds", text_of(changed(table, "time", number(lambda t, row: 1e3 * t))).replace("time", "time [ms]", 1), []
-        yield "not in milliseconds", text_of(changed(table, "time", number(lambda t, row: 1e3 * t))), []
     if "time" in head and "x" not in head:
         yield "until", text_of([head, *rows[:table.rows // 2]]), ["--until", repr(0.45 * max(table.cells["time"]))]
-    if rule["kind"] in ("curve", "phases"):
-        between = [[repr((float(a) + float(b)) / 2) if name not in ("phase",) else a for name, a, b in zip(head, one, other)]
-                   for one, other in zip(rows, rows[1:])]
-        yield "means of neighbours", text_of([head, *between]), []
 
 
 def compared(*words):
@@ -161,13 +139,44 @@ def random_cell(draw, cell):
                                       text + " ", "\uff11" + text, text + "e", "0x1", "1_0", text.rstrip("0")])
 
 
-def random_file(draw, table):
-    """A data set in some format, with some mistakes in numbers, names, lines and bytes, and options."""
+def random_copy(draw, table):
+    """Names and rows of a data set with results that are somewhat wrong: other values and words, times between or later, rows that are missing or too many."""
     head, *rows = changed(table, next(iter(table.text)), lambda cell, row: cell)
-    keep, share = draw.choice([1, 1, draw.random()]), draw.choice([0, 0, 0, 2, 4, 30]) / table.rows / len(head)
-    factor, events = draw.choice([1] * 4 + [1 + 1e-7, 1.001, 1.1, -1]), table.comparison.get("events")
-    rows = [[random_cell(draw, cell) if draw.random() < share else repr(factor * float(cell)) if factor != 1 and "." in cell else cell for cell in row]
-            for row in rows if draw.random() < keep]
+    free = [i for i, name in enumerate(head) if table.types[name] == "number" and name not in table.key and not name.endswith("_radius")]
+    for i in draw.sample(free, draw.choice([0, 1, len(free)])):
+        factor, share = 1 + draw.choice([-2, 1, 1, -1]) * 10 ** draw.uniform(-8, 0), draw.choice([1, 0.1, 2 / len(rows)])
+        for row in rows:
+            row[i] = repr(float(row[i]) * factor) if row[i] and draw.random() < share else row[i]
+    for word in ({"change", "phase", "verdict"} & {*head} if draw.random() < 0.2 else ()):
+        draw.choice(rows)[head.index(word)] = draw.choice(table.text[word])
+    if "time" in head and draw.random() < 0.3:
+        time, shift = head.index("time"), draw.choice([-1, 1]) * 10 ** draw.uniform(-7, -2)
+        first = 0 if table.comparison["kind"] == "events" else draw.randrange(len(rows))
+        for row in rows[first:]:
+            row[time] = repr(float(row[time]) + abs(shift))
+    elif table.comparison.get("abscissa") and draw.random() < 0.3:
+        rows = [[repr((float(x) + float(y)) / 2) if name != "phase" else x for name, x, y in zip(head, one, other)] for one, other in zip(rows, rows[1:])]
+    first, last = sorted(draw.sample(range(len(rows) + 1), 2)) if draw.random() < 0.2 else (0, len(rows))
+    keep, every = draw.choice([1, 1, draw.random(), 1 - 2 / len(rows)]), draw.choice([1, 1, 1, 2, 3])
+    rows = [row for row in rows[first:last:every] if draw.random() < keep]
+    for _ in range(draw.choice([0, 0, 0, 0, 1, 2]) if rows else 0):
+        at = draw.randrange(len(rows))
+        rows.insert(at, list(rows[at]))
+    return head, rows
+
+
+def random_file(draw, table, events_file):
+    """A wrong copy in some format, often with some mistakes in numbers, names, lines and bytes, and options."""
+    head, rows = random_copy(draw, table)
+    options, events = [], table.comparison.get("events")
+    if events and draw.random() < 0.6:
+        names, changes = random_copy(draw, stickslip.load(events))
+        events_file.write_text(text_of([names, *changes]))
+        options = ["--events", str(events_file)]
+    if draw.random() < 0.6:
+        return text_of([head, *rows], draw.choice(",,;\t")).encode(), options or draw.choice([[]] * 3 + [["--tolerance", repr(10 ** draw.uniform(-9, 0))]])
+    share = draw.choice([0, 0, 0, 2, 4, 30]) / table.rows / len(head)
+    rows = [[random_cell(draw, cell) if draw.random() < share else cell for cell in row] for row in rows]
     head = [draw.choice([name] * 100 + [name.upper(), name.replace("_", draw.choice("- ")), f"{name} [{table.units[name]}]", f"{name}_mm", f"{name} / ms",
                                        f" {name} ", f'"{name}"', f"{name} (kHz)", name[:-1], f"{name} []"]) for name in head]
     columns = draw.sample(range(len(head)), len(head)) if draw.random() < 0.2 else range(len(head))
@@ -182,13 +191,26 @@ def random_file(draw, table):
         text = text[:at] + draw.choice([b",", b'"', b"\n", b" ", b"\t", b"\xff", b"\xc2\xa0", b"\0", b"e", b"9", b"-", b";", b"#", b""]) + text[at + draw.choice([0, 1, 2]):]
     packed = gzip.compress(text)
     text = draw.choice([text] * 60 + [packed, packed, packed[:-9], packed + b"\0", text[:len(text) // 2]])
-    options = draw.choice([[]] * 12 + [["--rows", draw.choice(["1:3", f"1:{len(rows)}", "2", "1,3:4", "\u00b2", "1:99999999999", "0"])],
-                                      ["--tolerance", draw.choice(["1e-3", "1e-400", "1e-30", "0.5", "=1", "1_0", "nan"])],
-                                      ["--until", draw.choice(["0", "0.1", "10 ms", "nan", "1e9", "-1"])], ["--columns", ",".join(head)],
-                                      ["--column", f"{draw.choice([*table.types])}={draw.choice(head)}{draw.choice(['', ':ms', ' : Hz'])}"]])
-    if events and draw.random() < 0.4:
-        options = [*options, "--events", str(ROOT / "data/reference" / stickslip._data.package()[1][events]["path"])]
-    return text, options
+    return text, options or draw.choice([[]] * 12 + [
+        ["--rows", draw.choice(["1:3", f"1:{max(len(rows), 1)}", "2", "1,3:4", "\u00b2", "1:99999999999", "0"])],
+        ["--tolerance", draw.choice(["1e-3", "1e-400", "1e-30", "0.5", "=1", "1_0", "nan"])],
+        ["--until", draw.choice(["0", "0.1", "10 ms", "nan", "1e9", "-1"])], ["--columns", ",".join(head)],
+        ["--column", f"{draw.choice([*table.types])}={draw.choice(head)}{draw.choice(['', ':ms', ' : Hz'])}"]])
+
+
+def essence(one):
+    """What both judges must say of a file, of numbers six digits."""
+    def digits(x):
+        return None if x is None else float(f"{x:.6g}")
+    if one["verdict"] == "refused":
+        return "refused"
+    quantities = {q.get("quantity", q.get("name")): (
+        q["verdict"], q["level"], q["compared"], q["undecided"], digits(q["error"]), digits(q["uncertainty"]), q["where"],
+        sorted(filter(None, q["skipped"].values() if isinstance(q["skipped"], dict) else (reason["points"] for reason in q["skipped"]))))
+        for q in one["quantities"]}
+    rows = (one["rows"]["compared"], one["rows"]["of"]) if isinstance(one["rows"], dict) else (one["rows"], one["all_rows"])
+    return (one["verdict"].replace("partly", "undecided"), one["level"], digits(one["coverage"]), rows, quantities,
+            [(part.get("name", part.get("data_set")), part["level"]) for part in one["parts"]])
 
 
 class BothJudges(unittest.TestCase):
@@ -202,77 +224,92 @@ class BothJudges(unittest.TestCase):
         cls.package = json.loads(cls.description.read_text())
         cls.described = None
 
-    def verdicts(self, name, text, options):
-        """The exit statuses and, if nothing is refused, the verdicts and the levels of both."""
-        (self.folder / "mine.csv").write_bytes(text if isinstance(text, bytes) else text.encode(errors="surrogateescape"))
+    def describe(self, name):
+        """The program gets a package of what it needs for a data set, without that from which it would compute."""
         if name != self.described:
             needed, hidden = ("beams", name, stickslip.load(name).comparison.get("events")), ("diagnosis", "problem")
-            resources = [{member: one[member] for member in one if member not in hidden}  # without which nothing is computed
+            resources = [{member: one[member] for member in one if member not in hidden}
                          for one in self.package["resources"] if one["name"] in needed]
             self.description.write_text(json.dumps({**self.package, "resources": resources}))
             type(self).described = name
-        results, output = [], self.folder / "verdict.json"
-        words = [name, str(self.folder / "mine.csv"), f"--json={output}", "--quiet", *options]
+
+    def run_both(self, name, *words):
+        """The exit status of both judges, and the objects of both."""
+        self.describe(name)
+        output, all_said = self.folder / "verdict.json", []
         for judge in (compared, judged):
             output.unlink(missing_ok=True)
-            status, said = judge(*words, *(["--package", str(self.folder / "package")] if judge is compared else []))
+            status, said = judge(*words, f"--json={output}", "--quiet", *(["--package", str(self.folder / "package")] if judge is compared else []))
             self.assertNotIn("mistake in stickslip", said)
-            verdict = json.loads(output.read_text()) if status != 2 else {}
-            quantities = {one.get("quantity", one.get("name")): (one["verdict"], one["compared"],
-                          None if one["error"] is None else float(f"{one['error']:.6g}"), one["level"])
-                          for one in verdict.get("quantities", [])}
-            results.append((status, verdict.get("verdict", "refused").replace("partly", "undecided"), verdict.get("level"), quantities,
-                            said))
-        return results
+            all_said.append((status, json.loads(output.read_text()) if output.exists() else {"verdict": "refused"}))
+        (status, _), (other, _) = all_said
+        self.assertEqual(status, other, words)
+        return status, *(one for _, one in all_said)
 
-    def test_say_the_same_of_every_file(self):
+    def verdicts(self, name, files):
+        """The verdict of each file (text, options), which both judges must say. Those without other options are in one manifest."""
+        verdicts, together = {}, []
+        for i, (text, options) in enumerate(files):
+            (self.folder / f"{i}.csv").write_bytes(text if isinstance(text, bytes) else text.encode(errors="surrogateescape"))
+            columns = dict(zip(options[::2], options[1::2]))
+            if columns.keys() <= {"--events", "--rows"}:
+                together.append((i, f'{name},{i}.csv,{pathlib.Path(columns.get("--events", "")).name},"{columns.get("--rows", "")}"\n'))
+            else:
+                status, program, python = self.run_both(name, name, str(self.folder / f"{i}.csv"), *options)
+                with self.subTest(data_set=name, file=i, options=options, text=text[:300]):
+                    self.assertEqual(essence(program), essence(python))
+                verdicts[i] = python["verdict"].replace("partly", "undecided"), python
+                self.assertEqual(status, STATUS[verdicts[i][0]])
+        if together:
+            (self.folder / "all.csv").write_text("data_set,file,events,rows\n" + "".join(line for _, line in together))
+            _, *answers = self.run_both(name, "--manifest", str(self.folder / "all.csv"))
+            for (i, _), program, python in zip(together, *answers):
+                with self.subTest(data_set=name, file=i, text=files[i][0][:300]):
+                    self.assertEqual(essence(program), essence(python))
+                verdicts[i] = python["verdict"].replace("partly", "undecided"), python
+        return [verdicts[i] for i in range(len(files))]
+
+    def test_say_the_same_of_every_mistake(self):
+        """Of each kind of comparison with each kind of norm in the least data set that has it."""
         counts, tried = collections.Counter(), set()
-        for name in stickslip.names():
-            table = stickslip.load(name)
-            for mistake, text, options in copies(table) if table.comparison else ():
-                if mistake not in EVERYWHERE and (mistake, table.comparison["kind"]) in tried:
-                    continue
-                tried.add((mistake, table.comparison["kind"]))
-                with self.subTest(data_set=name, mistake=mistake):
-                    program, python = self.verdicts(name, text, options)
-                    counts[python[1]] += 1
-                    self.assertEqual(program[:4], python[:4], program[4])
-                    self.assertEqual(python[0], STATUS[python[1]])
-                    if mistake == "a narrow tolerance" and name.startswith("undamped-history"):
-                        self.assertEqual(python[1], "undecided")
+        for resource in sorted(self.package["resources"], key=lambda one: one["bytes"]):
+            table = stickslip.load(resource["name"])
+            kind = table.comparison and (table.comparison["kind"], *sorted({value["norm"] for value in table.comparison["values"]}))
+            if not kind or kind in tried:
+                continue
+            tried.add(kind)
+            names, *files = zip(*copies(table))
+            for mistake, (verdict, said) in zip(names, self.verdicts(table.name, list(zip(*files)))):
+                with self.subTest(data_set=table.name, mistake=mistake):
+                    counts[verdict] += 1
                     if mistake == "copy":
-                        self.assertEqual(python[1:3], ("agrees", "strict"))
+                        self.assertEqual((verdict, said["level"]), ("agrees", "strict"))
                     if mistake in ("all values scaled by a fifth", "sign") or mistake.endswith("interchanged"):
-                        self.assertEqual(python[1], "differs")
+                        self.assertEqual(verdict, "differs")
         self.assertGreater(min(counts[verdict] for verdict in STATUS), 9, counts)
 
     def test_read_by_one_grammar(self):
-        for status, text, *options in READINGS:
-            text = re.sub(r"(?<=[,; \t\"])f(?=[\s,+\"\u00a0]|\Z)", F, text)
-            with self.subTest(text=text[:80], options=options):
-                program, python = self.verdicts("stick-frequencies", text, ["--rows", "1:1", *options])
-                self.assertEqual((program[0], python[0]), (status, status), program[4] + python[4])
-                self.assertEqual(program[:4], python[:4])
-        for status, text in ((0, "200 ms"), (0, ".2"), (0, "\t0.2s "), (0, "2e5us"), (2, "0"), (2, "nan"), (2, "inf"), (2, "-5"), (2, "+1"), (2, "1_0"),
-                             (2, "1e-400"), (2, "0.2 m"), (2, "2d-1"), (2, "\u0661"), (2, "")):
-            table = stickslip.load("damped-stick-history")
-            program, python = self.verdicts(table.name, next(copies(table))[1], ["--until", text])
-            self.assertEqual((program[0], python[0]), (status, status), text + program[4] + python[4])
+        files = [(status, re.sub(r"(?<=[,; \t\"])f(?=[\s,+\"\u00a0]|\Z)", F, text), ["--rows", "1:1", *options]) for status, text, *options in READINGS]
+        for (status, text, options), (verdict, _) in zip(files, self.verdicts("stick-frequencies", [file[1:] for file in files])):
+            self.assertEqual(STATUS[verdict], status, f"{text[:80]} {options}")
+        times = ((0, "200 ms"), (0, ".2"), (0, "\t0.2s "), (0, "2e5us"), (2, "0"), (2, "nan"), (2, "inf"), (2, "-5"), (2, "+1"), (2, "1_0"), (2, "1e-400"),
+                 (2, "0.2 m"), (2, "2d-1"), (2, "\u0661"), (2, ""))
+        copy = next(copies(stickslip.load("damped-stick-history")))[1]
+        for (status, text), (verdict, _) in zip(times, self.verdicts("damped-stick-history", [(copy, ["--until", text]) for _, text in times])):
+            self.assertEqual(STATUS[verdict], status, text)
 
     def test_read_random_files_alike(self):
-        count, seed = map(int, os.environ.get("STICKSLIP_FUZZ", "150 58").split())
-        names = [one["name"] for one in self.package["resources"] if one["bytes"] < 8000 and stickslip.load(one["name"]).comparison]
-        counts = collections.Counter()
-        for number in range(count):
-            draw = random.Random(f"{seed} {number}")
-            name = names[number * len(names) // count]
-            text, options = random_file(draw, stickslip.load(name))
-            program, python = self.verdicts(name, text, options)
-            counts[python[1]] += 1
-            if program[:4] != python[:4]:
-                (pathlib.Path(tempfile.gettempdir()) / f"{name}-{seed}-{number}.csv").write_bytes(text)
-            self.assertEqual(program[:4], python[:4], f"{name}, seed {seed}, number {number}, {options}: {program[4]} {python[4]}")
-        print(f"{count} random files, seed {seed}: {dict(counts)}", file=sys.stderr)
+        count, seed = map(int, os.environ.get("STICKSLIP_FUZZ", "160 59").split())
+        kinds, counts = collections.defaultdict(list), collections.Counter()
+        for one in self.package["resources"]:
+            if one["bytes"] < 14000 and stickslip.load(one["name"]).comparison:
+                kinds[stickslip.load(one["name"]).comparison["kind"]].append(one["name"])
+        for names in kinds.values():
+            for name in names:
+                files = [random_file(random.Random(f"{seed} {name} {j}"), stickslip.load(name), self.folder / f"events{j}.csv")
+                         for j in range(count // len(kinds) // len(names) + 1)]
+                counts.update(verdict for verdict, _ in self.verdicts(name, files))
+        print(f"random files, seed {seed}: {dict(counts)}", file=sys.stderr)
 
     def test_say_the_same_of_a_manifest(self):
         (self.folder / "m/a").mkdir(parents=True)
@@ -430,7 +467,7 @@ class Package(unittest.TestCase):
         (self.folder / "-m.csv").write_text(HEAD + f"paper,1,{F}\npaper,2,81.1\n")
         given = {"PACKAGE": str(ROOT / "reports/python"), "DATA_SET": "stick-frequencies", "FILE": "-m.csv", "MANIFEST": "", "JUNIT": "j.xml", "BADGE": "",
                  "PYTHONPATH": str(self.folder)}
-        for options, status in (("", 1), ("--rows 1:2\n--tolerance 1\n--json out.json", 0), ("--rows 1:1\n--tolerance 1e-30\n", 1), ("--row 1", 2)):
+        for options, status in (("", 1), ("--rows 1:2\n--tolerance 1\n--json out.json\n", 0), ("--row 1", 2)):
             done = subprocess.run(["bash", "--noprofile", "--norc", "-eo", "pipefail", "-c", script], cwd=self.folder, capture_output=True, text=True,
                                   env={**os.environ, **given, "OPTIONS": options})
             self.assertEqual((done.returncode, "workspace" in done.stdout), (status, False), done.stdout + done.stderr)
