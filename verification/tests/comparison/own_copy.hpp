@@ -20,14 +20,6 @@ inline const data::ReferencePackage& small_package() {
   return package;
 }
 
-/// The small package with another rule for the comparison with a data set.
-inline data::ReferencePackage with_rule(const std::string& set,
-                                        const std::function<void(data::ComparisonRule&)>& change) {
-  auto package = small_package();
-  change(*std::ranges::find(package.resources, set, &data::Resource::name)->comparison);
-  return package;
-}
-
 inline comparison::Settings with_tolerance(const std::string& quantity, double tolerance,
                                            std::optional<double> until = std::nullopt) {
   return {.tolerances = {{quantity, tolerance}}, .until = until, .events = {}};
@@ -62,6 +54,9 @@ class OwnCopy {
   data::UserTable table;
 
   [[nodiscard]] const data::ReferenceTable& reference() const { return reference_.table; }
+  [[nodiscard]] comparison::Reference& data_set() {
+    return reference_;
+  }  ///< of which a test changes rules and cells
   [[nodiscard]] std::vector<double>& operator[](const std::string& name) { return column(name).values; }
   [[nodiscard]] std::vector<std::string>& words(const std::string& name) { return column(name).text; }
 
