@@ -1,47 +1,39 @@
 // SPDX-License-Identifier: MIT
-/// Wrong models that are to be recognised: each differs where it says so, and its own results name it.
-
-#include <cctype>
-#include <random>
+/// Wrong models that are to be recognised: each differs where it says so, has the result of its mistake, and its own results
+/// name it.
 
 #include "comparison/diagnosis/wrong_model_recipes.hpp"
 #include "stickslip/analytic/criterion.hpp"
+#include "stickslip/analytic/damped_steady_state.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
-#include "studies/common/convergence.hpp"
 #include "studies/common/discretisation.hpp"
 #include "studies/common/problem_parameter.hpp"
 #include "studies/verification/stick_sum.hpp"
 #include "support/contact_models.hpp"
+#include "support/random_beams.hpp"
 #include "support/testing.hpp"
 
-namespace stickslip::testing {
+namespace stickslip::testing::wrong_models {
 namespace {
 
 using comparison::Diagnosis;
 using comparison::Finding;
 using comparison::Hypothesis;
 using comparison::ModelResults;
-using comparison::Quantity;
 using Values = std::vector<double>;
+using enum comparison::Quantity;
+using comparison::Quantity;
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
 
 // What an observer states, in the measure of the distances. Without P the shape S is nearly the same: to tell
 // takes a further digit.
-double stated_for(Quantity quantity) { return quantity == Quantity::quasi_static_shape ? 1e-6 : 1e-5; }
+double stated_for(Quantity quantity) { return quantity == quasi_static_shape ? 1e-6 : 1e-5; }
 
 bool is_of_stick_slip(Quantity quantity) {
-  return quantity == Quantity::contact_event || quantity == Quantity::tip_displacement ||
-         quantity == Quantity::friction_force;
-}
-
-// The measure of the distances of a quantity.
-data::Norm norm_of(Quantity quantity) {
-  const bool counts_each_alike =
-      quantity == Quantity::stick_frequency || quantity == Quantity::slip_frequency ||
-      quantity == Quantity::force_maximum || quantity == Quantity::critical_amplitude ||
-      quantity == Quantity::contact_event;
-  return counts_each_alike ? data::Norm::relative : data::Norm::scale;
+  return quantity == contact_event || quantity == tip_displacement || quantity == friction_force;
 }
 
 data::Case paper_case(double duration) { return paper_problem(25.0, 1e-3, duration); }
@@ -70,9 +62,9 @@ data::Case with_numerics(const data::Case& problem, int elements, double time_st
 data::Case case_for(const std::string& name, Quantity quantity) {
   const double duration = is_of_stick_slip(quantity) ? 0.12 : 0.3;
   data::Case problem = name == "paper" ? paper_case(duration) : strip_case(duration);
-  if (is_of_stick_slip(quantity)) problem.damping = data::Damping({.kelvin_voigt = 6e-5});
+  if (is_of_stick_slip(quantity)) problem.damping = kelvin_voigt(6e-5);
   // The force jumps at an event and feels its error most.
-  if (quantity == Quantity::friction_force) return with_numerics(problem, 20, 5e-5);
+  if (quantity == friction_force) return with_numerics(problem, 20, 5e-5);
   return problem;
 }
 
@@ -84,17 +76,17 @@ Values steps_to(double end, int count) {
 
 Values abscissa_for(const data::Case& problem, Quantity quantity) {
   switch (quantity) {
-    case Quantity::stick_frequency:
-    case Quantity::slip_frequency:
+    case stick_frequency:
+    case slip_frequency:
       return {1.0, 2.0, 3.0};
-    case Quantity::participation:
+    case participation:
       return steps_to(10.0, 10);
-    case Quantity::contact_event:
+    case contact_event:
       return steps_to(5.0, 5);
-    case Quantity::quasi_static_shape:
+    case quasi_static_shape:
       return steps_to(0.97 * problem.beam.length(), 8);
-    case Quantity::force_maximum:
-    case Quantity::critical_amplitude:
+    case force_maximum:
+    case critical_amplitude:
       return {15.0, 35.0, 70.0};
     default:
       return steps_to(problem.numerics.duration() < 0.2 ? 0.1 : 0.3, 100);
@@ -107,30 +99,17 @@ ModelResults model_results_of(const data::Case& problem, Quantity quantity) {
 
 // Bounds of the errors that make this distance: of each value where each counts alike, else of their root mean square.
 Values stated_uncertainty(const ModelResults& results, double stated) {
-  double square = 0.0;
-  for (const double value : results.reference) square += value * value;
-  const double common = std::sqrt(square / static_cast<double>(results.reference.size()));
-  Values uncertainty;
-  for (const double value : results.reference)
-    uncertainty.push_back(stated * (results.norm == data::Norm::relative ? std::abs(value) : common));
+  Values uncertainty = comparison::scales_of(results.norm, results.reference);
+  for (double& bound : uncertainty) bound *= stated;
   return uncertainty;
 }
 
 // The diagnosis of values with errors of up to the stated uncertainty, the same in every run.
 Diagnosis diagnosed(const ModelResults& results, Values values, double stated = 1e-5) {
   const Values uncertainty = stated_uncertainty(results, stated);
-  std::mt19937 generator(20180219);
-  std::uniform_real_distribution<double> error(-1.0, 1.0);
-  for (std::size_t i = 0; i < values.size(); ++i) values[i] += error(generator) * uncertainty[i];
+  RandomNumbers numbers(20180219);
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] += numbers.uniform(-1.0, 1.0) * uncertainty[i];
   return comparison::diagnose(results, values, uncertainty);
-}
-
-double distance(const ModelResults& results, const Values& a, const Values& b) {
-  return comparison::distance(results.norm, results.reference, a, b);
-}
-
-bool claims(const std::string& name, Quantity quantity) {
-  return std::ranges::count(comparison::wrong_model_named(name).changes, quantity) > 0;
 }
 
 bool names(const Diagnosis& diagnosis, const std::string& name) {
@@ -152,7 +131,11 @@ struct RightResult {
     return wrong_values(problem, wrong_model, quantity, abscissa);
   }
   [[nodiscard]] double distance(const Values& a, const Values& b) const {
-    return comparison::distance(norm_of(quantity), reference, a, b);
+    return comparison::distance(comparison::measure_of(quantity), reference, a, b);
+  }
+  // Of the same value everywhere.
+  [[nodiscard]] double size_of(double value) const {
+    return distance(Values(reference.size(), value), Values(reference.size(), 0.0));
   }
 };
 
@@ -161,46 +144,35 @@ double distance_from_truth(const data::Case& problem, const char* name, Quantity
   return right.distance(right.of(name), right.reference);
 }
 
-// The friction force of the strip while its tip is held: the right one, and that of wrong models.
-RightResult strip_force() { return {strip_case(0.3), Quantity::stick_force}; }
+// The friction force of the strip while its tip is held.
+RightResult strip_force() { return {strip_case(0.3), stick_force}; }
 
-// What the modes beyond N add to y(L/2) at most, relative to its root mean square: A sum that leaves them out
+// What the modes beyond N add to y(L/2) at most, relative to its root mean square: a sum that leaves them out
 // claims to be right up to that.
-double omitted_displacement(const data::Case& problem, const ModelResults& model_results, std::size_t modes) {
+double omitted_displacement(const data::Case& problem, std::size_t modes) {
   const analytic::StickResponse response(problem.beam, problem.excitation, 120);
   const double omega = 2.0 * std::numbers::pi * problem.excitation.frequency_hz();
   const auto free = response.transient_displacement(0.5 * problem.beam.length());
   double largest = 0.0;
   for (std::size_t n = modes; n < free.size(); ++n)
     largest += std::abs(free[n].amplitude) * (1.0 + free[n].angular_frequency / omega);
-  const Values zero(model_results.reference.size(), 0.0);
-  const Values uniform(model_results.reference.size(), largest);
-  return distance(model_results, uniform, zero);
+  return RightResult{problem, stick_displacement}.size_of(largest);
 }
 
 // --- the list
 
 STICKSLIP_VERIFIES(WrongModels, "X17");
 TEST(WrongModels, HaveANameOfTheirOwnAMistakeAndAPlace) {
-  const auto& all = comparison::wrong_models();
-  EXPECT_GE(all.size(), 40U);
   std::set<std::string> names;
-  for (const auto& wrong_model : all) {
+  for (const auto& wrong_model : comparison::wrong_models()) {
     EXPECT_TRUE(names.insert(wrong_model.name).second) << wrong_model.name;
-    EXPECT_TRUE(std::ranges::all_of(wrong_model.name, [](char c) {
-      return std::islower(c) != 0 || c == '-';
-    })) << wrong_model.name;
-    EXPECT_FALSE(wrong_model.mistake.empty());
-    EXPECT_FALSE(wrong_model.mistake.ends_with('.')) << wrong_model.mistake;
-    EXPECT_FALSE(wrong_model.place.empty());
-    EXPECT_FALSE(wrong_model.changes.empty());
+    EXPECT_EQ(wrong_model.name.find_first_not_of("abcdefghijklmnopqrstuvwxyz-"), std::string::npos);
+    EXPECT_FALSE(wrong_model.mistake.empty() || wrong_model.mistake.ends_with('.')) << wrong_model.name;
+    EXPECT_FALSE(wrong_model.place.empty()) << wrong_model.name;
     const std::set<Quantity> changes(wrong_model.changes.begin(), wrong_model.changes.end());
     EXPECT_EQ(changes.size(), wrong_model.changes.size()) << wrong_model.name << " claims something twice";
   }
-}
-
-TEST(WrongModels, AreRefusedUnderAnUnknownName) {
-  EXPECT_THROW(wrong_values(paper_case(0.1), "no-such-mistake", Quantity::stick_frequency, {1.0}),
+  EXPECT_THROW(wrong_values(paper_case(0.1), "no-such-mistake", stick_frequency, {1.0}),
                std::invalid_argument);
 }
 
@@ -212,29 +184,28 @@ class WrongModelsIn : public ::testing::TestWithParam<std::tuple<const char*, Qu
 
   // What a wrong model may differ by from the reference in a quantity that it does not claim to change.
   [[nodiscard]] Tolerance allowed(const std::string& name) const {
-    if (quantity != Quantity::stick_displacement) return round_off(1.0, 1.0, 1.0);
+    if (quantity != stick_displacement) return round_off(1.0, 1.0, 1.0);
     const std::size_t modes = name == "three-modes" ? 3 : name == "five-modes" ? 5 : 60;
-    return discretisation(omitted_displacement(problem, model_results, modes), 1.0, "the modes left out");
+    return discretisation(omitted_displacement(problem, modes), 1.0, "the modes left out");
   }
 };
 
 STICKSLIP_VERIFIES(WrongModelsIn, "X17");
-TEST_P(WrongModelsIn, DifferWhereTheyClaimToAndAreRecognisedByIt) {
+TEST_P(WrongModelsIn, DifferAsClaimedAndAreRecognised) {
   const double stated = stated_for(quantity);
   ASSERT_LT(model_results.reference_uncertainty, 0.02);
-  EXPECT_EQ(model_results.norm, norm_of(quantity));
   const Diagnosis right = diagnosed(model_results, model_results.reference, stated);
   EXPECT_EQ(right.finding, Finding::correct) << right.sentence;
   EXPECT_LE(right.from_reference, stated);
 
   int claiming = 0, recognised = 0;
   for (const Hypothesis& wrong_model : model_results.wrong_models) {
-    if (!claims(wrong_model.name, quantity)) {
+    if (std::ranges::count(comparison::wrong_model_named(wrong_model.name).changes, quantity) == 0) {
       EXPECT_TRUE(within(wrong_model.from_reference, 0.0, allowed(wrong_model.name))) << wrong_model.name;
       continue;
     }
     // The finer step for forces leaves little of the damping that the scheme has.
-    if (wrong_model.name == "spectral-radius-zero" && quantity == Quantity::friction_force) continue;
+    if (wrong_model.name == "spectral-radius-zero" && quantity == friction_force) continue;
     EXPECT_GT(wrong_model.from_reference, model_results.reference_uncertainty + stated) << wrong_model.name;
     if (!std::isfinite(wrong_model.from_reference)) continue;  // nobody can observe that
     ++claiming;
@@ -247,20 +218,18 @@ TEST_P(WrongModelsIn, DifferWhereTheyClaimToAndAreRecognisedByIt) {
     ++recognised;
     EXPECT_EQ(diagnosis.finding, Finding::mistaken) << wrong_model.name << ": " << diagnosis.sentence;
     EXPECT_TRUE(names(diagnosis, wrong_model.name)) << wrong_model.name << ": " << diagnosis.sentence;
+    EXPECT_EQ(diagnosis.ranked.size(), model_results.wrong_models.size());
+    EXPECT_TRUE(std::ranges::is_sorted(diagnosis.ranked, {}, &Hypothesis::distance));
   }
-  EXPECT_GE(recognised, 3);
-  EXPECT_GE(recognised, claiming - claiming / 10);
+  EXPECT_GE(recognised, std::max(3, claiming - claiming / 10));
 }
 
 INSTANTIATE_TEST_SUITE_P(
     Cases, WrongModelsIn,
     ::testing::Combine(::testing::Values("paper", "strip"),
-                       ::testing::Values(Quantity::stick_frequency, Quantity::slip_frequency,
-                                         Quantity::participation, Quantity::quasi_static_shape,
-                                         Quantity::force_maximum, Quantity::critical_amplitude,
-                                         Quantity::stick_force, Quantity::stick_displacement,
-                                         Quantity::contact_event, Quantity::tip_displacement,
-                                         Quantity::friction_force)),
+                       ::testing::Values(stick_frequency, slip_frequency, participation, quasi_static_shape,
+                                         force_maximum, critical_amplitude, stick_force, stick_displacement,
+                                         contact_event, tip_displacement, friction_force)),
     [](const auto& instance) {
       std::string name(comparison::name_of(std::get<Quantity>(instance.param)));
       std::ranges::replace_if(
@@ -268,209 +237,245 @@ INSTANTIATE_TEST_SUITE_P(
       return std::string(std::get<const char*>(instance.param)) + "_" + name;
     });
 
-double base_motion(const data::Case& problem, double t) {
-  return problem.excitation.amplitude() *
-         std::sin(2.0 * std::numbers::pi * problem.excitation.frequency_hz() * t);
+data::Case with_damping(data::Case problem, const data::DampingProperties& damping) {
+  problem.damping = data::Damping(damping);
+  return problem;
 }
 
 STICKSLIP_VERIFIES(WrongModelEffects, "X17");
 TEST(WrongModelEffects, AreThoseOfHeldAndSlidingBeam) {
-  data::Case problem = paper_case(10.0);
-  problem.damping = data::Damping({.kelvin_voigt = 6e-5});
+  const data::Case problem = with_damping(paper_case(10.0), {.kelvin_voigt = 6e-5}),
+                   stiffer = with_value(problem, "beam.youngs_modulus", 4e9);
   const auto effects = comparison::wrong_model_effects(problem, 0.1, 0.07);
   ASSERT_EQ(effects.size(), comparison::wrong_models().size());
   const auto of = [&](const char* name) {
     return *std::ranges::find(effects, name, [](const auto& effect) { return effect.wrong_model.name; });
   };
-  // The frequency is that of the beam under tension; f has the other sign.
-  data::BeamProperties stretched = problem.beam.properties();
-  stretched.axial_force *= -1.0;
-  EXPECT_DOUBLE_EQ(of("tension").stick_frequency.value(),
-                   analytic::stick_modes(data::Beam(stretched), 1).front().frequency_hz() /
-                           analytic::stick_modes(problem.beam, 1).front().frequency_hz() -
-                       1.0);
+  for (const auto& [quantity, told] : {std::pair{stick_frequency, of("stiffness-doubled").stick_frequency},
+                                       {slip_frequency, of("stiffness-doubled").slip_frequency}})
+    EXPECT_DOUBLE_EQ(told.value(), comparison::reference_result(stiffer, quantity, {1.0})[0] /
+                                           comparison::reference_result(problem, quantity, {1.0})[0] -
+                                       1.0);
   EXPECT_DOUBLE_EQ(of("force-sign").stick_force.value(), 2.0);
+  EXPECT_EQ(of("force-sign").stick_displacement.value(), 0.0);
   // Half the motion of the base is half of everything while the tip is held, and too little to slip.
-  EXPECT_DOUBLE_EQ(of("peak-to-peak-amplitude").force_maximum.value(), -0.5);
-  EXPECT_DOUBLE_EQ(of("peak-to-peak-amplitude").stick_displacement.value(), 0.5);
-  EXPECT_TRUE(std::isinf(of("peak-to-peak-amplitude").first_slip.value()));
+  const auto half = of("peak-to-peak-amplitude");
+  EXPECT_DOUBLE_EQ(half.force_maximum.value(), -0.5);
+  EXPECT_DOUBLE_EQ(half.stick_displacement.value(), 0.5);
+  EXPECT_TRUE(std::isinf(half.first_slip.value()));
   // The held beam is undamped, so that its damping cannot be left out, and it has no friction law.
-  EXPECT_FALSE(of("damping-left-out").stick_frequency || of("damping-left-out").stick_displacement);
-  EXPECT_GT(of("damping-left-out").tip_displacement.value(), 0.1);
-  EXPECT_EQ(of("one-friction-coefficient").stick_force.value(), 0.0);
+  EXPECT_FALSE(of("damping-left-out").stick_displacement);
   EXPECT_EQ(of("one-friction-coefficient").first_slip.value(), 0.0);
-  EXPECT_GT(of("one-friction-coefficient").tip_displacement.value(), 0.1);
-  // u = y - h leaves out h, over the two durations.
-  const auto share_of_base = [&](Quantity quantity, double duration) {
-    data::Case undamped = problem;
-    if (quantity == Quantity::stick_displacement) undamped.damping = {};
-    const Values times = steps_to(duration, 200);
-    const Values y = comparison::reference_result(undamped, quantity, times);
-    double base = 0.0, all = 0.0;
-    for (std::size_t i = 0; i < times.size(); ++i) {
-      const double h = base_motion(problem, times[i]);
-      base += h * h;
-      all += y[i] * y[i];
-    }
-    return std::sqrt(base / all);
-  };
-  EXPECT_TRUE(within(of("relative-displacement").stick_displacement.value(),
-                     share_of_base(Quantity::stick_displacement, 0.1), round_off(1e3, 1.0, 1.0)));
+  // u = y - h leaves out h, over the duration.
+  const RightResult right{problem, tip_displacement, steps_to(0.07, 200)};
+  Values base;
+  for (const double t : right.abscissa)
+    base.push_back(solver::harmonic_motion(problem.excitation).displacement(t));
   EXPECT_TRUE(within(of("relative-displacement").tip_displacement.value(),
-                     share_of_base(Quantity::tip_displacement, 0.07), round_off(1e3, 1.0, 1.0)));
+                     right.distance(base, Values(200, 0.0)), round_off(1e3, 1.0, 1.0)));
 }
 
 // --- each mistake is the one that its name says
 
-data::Case with_excitation(const data::Case& problem, double hz, double amplitude) {
-  return with(problem, shaking(hz, amplitude));
-}
-
-// What 60 terms leave out of the steady force, and the free vibrations behind them, relative to the
-// reference.
+// What 60 terms leave out of the steady force, and the free vibrations behind them, relative to the reference.
 double truncation(const RightResult& right) {
   const analytic::StickResponse exact(right.problem.beam, right.problem.excitation, 60,
                                       analytic::SteadyPart::exact);
   const analytic::StickResponse sum(right.problem.beam, right.problem.excitation, 60);
-  const Values left_out(right.reference.size(),
-                        std::abs(exact.steady_force_amplitude() - sum.steady_force_amplitude()) +
-                            exact.omitted_transient_bound());
-  return right.distance(left_out, Values(left_out.size(), 0.0));
+  return right.size_of(std::abs(exact.steady_force_amplitude() - sum.steady_force_amplitude()) +
+                       exact.omitted_transient_bound());
 }
 
+// The result of a mistake in the inputs, for the paper's beam with E = 2 GPa at 25 Hz and 1 mm, is that of the right model,
+// or of another wrong one, for those inputs.
 STICKSLIP_VERIFIES(WrongModel, "X17");
-TEST(WrongModel, SecondMomentAsPrintedHasErratumFrequencies) {
-  const Values hz =
-      wrong_values(paper_case(0.1), "second-moment-as-printed", Quantity::stick_frequency, {1.0, 2.0, 3.0});
-  EXPECT_TRUE(within(hz[0], 1.607, reference(5e-4, "E1")));
-  EXPECT_TRUE(within(hz[1], 7.231, reference(5e-4, "E1")));
-  EXPECT_TRUE(within(hz[2], 16.03, reference(5e-3, "E1")));
+TEST(WrongModel, OfTheInputsIsTheRightOneOfOthers) {
+  struct Mistake {
+    const char* name;
+    std::vector<std::pair<std::string_view, double>> inputs;
+    Quantity quantity;
+    const char* model{""};
+  };
+  const data::Case problem = with_damping(with_numerics(paper_case(0.12), 8, 1e-4), {.kelvin_voigt = 6e-5});
+  const double omega = analytic::stick_modes(problem.beam, 1).front().angular_frequency(),
+               force = problem.beam.axial_force(), inertia = problem.beam.second_moment_of_area();
+  const char* stepped = "time-step-of-the-case";
+  for (const auto& [name, inputs, quantity, model] : std::vector<Mistake>{
+           {"second-moment-as-printed", {{"beam.second_moment_of_area", 0.01 * inertia}}, stick_frequency},
+           {"stiffness-doubled", {{"beam.youngs_modulus", 4e9}}, stick_frequency},
+           {"stiffness-halved", {{"beam.youngs_modulus", 1e9}}, stick_frequency},
+           {"tension", {{"beam.axial_force", -force}}, stick_frequency},
+           {"axial-force-left-out", {{"beam.axial_force", 0.0}}, stick_frequency},
+           {"dead-load", {{"beam.axial_direction", 1.0}}, slip_frequency},
+           {"hertz-as-radians", {{"excitation.frequency_hz", 12.5 / std::numbers::pi}}, friction_force},
+           {"peak-to-peak-amplitude", {{"excitation.amplitude", 0.5e-3}}, friction_force},
+           {"kinetic-coefficient-as-limit", {{"friction.static_coefficient", 0.3}}, contact_event},
+           {"one-friction-coefficient", {{"friction.kinetic_coefficient", 0.6}}, tip_displacement},
+           {"damping-left-out", {{"damping.kelvin_voigt", 0.0}}, tip_displacement},
+           {"damping-added", {{"damping.ratio", 0.01}}, tip_displacement},
+           {"same-damping-ratio",
+            {{"damping.kelvin_voigt", 0.0}, {"damping.ratio", 3e-5 * omega}},
+            tip_displacement},
+           {"spectral-radius-zero", {{"numerics.spectral_radius", 0.0}}, tip_displacement},
+           {"ten-times-the-step", {{"numerics.time_step", 1e-3}}, stick_force, stepped},
+           {"strong-algorithmic-damping",
+            {{"numerics.time_step", 1e-3}, {"numerics.spectral_radius", 0.0}},
+            stick_force,
+            stepped},
+           {"two-elements", {{"numerics.elements", 2.0}}, contact_event},
+           {"four-elements", {{"numerics.elements", 4.0}}, contact_event}}) {
+    const Values abscissa =
+        quantity == contact_event || quantity == stick_frequency || quantity == slip_frequency
+            ? Values{1.0, 2.0}
+            : steps_to(0.08, 20);
+    const auto by_model = [&abscissa, quantity = quantity, model = model](const data::Case& of) {
+      return *model == '\0' ? comparison::reference_result(of, quantity, abscissa)
+                            : wrong_values(of, model, quantity, abscissa);
+    };
+    const Values found = wrong_values(problem, name, quantity, abscissa);
+    EXPECT_EQ(found, by_model(with_values(problem, inputs))) << name;
+    EXPECT_NE(found, by_model(problem)) << name;
+  }
+  // A period of 0.04 s.
+  EXPECT_EQ(wrong_values(paper_case(0.3), "one-period-maximum", force_maximum, {25.0}),
+            comparison::reference_result(paper_case(0.04), force_maximum, {25.0}));
 }
 
-TEST(WrongModel, SecondMomentOfTheOtherAxis) {
-  data::BeamProperties properties = flat_properties(2.0, 500.0);
-  properties.second_moment_of_area *= 100.0;
-  data::Case upright = flat_case();
-  upright.beam = data::Beam(properties);
+TEST(WrongModel, IsNoneWhereTheMistakeIsImpossible) {
+  data::Case undamped = with_numerics(paper_case(0.02), 8, 1e-4), smooth = undamped;
+  smooth.friction = data::FrictionLaw({.static_coefficient = 0.6, .kinetic_coefficient = 0.6, .decay = 1.0});
+  const data::Case with_ratio = with_damping(undamped, {.ratio = 0.02});
+  for (const auto& [name, problem, quantity, abscissa] :
+       {std::tuple{"damping-left-out", undamped, friction_force, 0.01},
+        {"mass-proportional-damping", undamped, friction_force, 0.01},
+        {"same-damping-ratio", undamped, friction_force, 0.01},
+        {"damping-added", with_ratio, friction_force, 0.01},
+        {"one-friction-coefficient", smooth, friction_force, 0.01},
+        {"kinetic-coefficient-as-limit", smooth, friction_force, 0.01},
+        {"second-moment-of-other-axis", undamped, stick_frequency, 1.0},
+        // So many elements have the deflections and rotations of so many nodes.
+        {"two-elements", undamped, slip_frequency, 5.0},
+        {"four-elements", undamped, slip_frequency, 9.0}})
+    EXPECT_FALSE(comparison::wrong_result(problem, name, quantity, {abscissa})) << name;
+  EXPECT_EQ(wrong_values(undamped, "two-elements", slip_frequency, {4.0}).size(), 1u);
+  EXPECT_EQ(wrong_values(undamped, "four-elements", slip_frequency, {8.0}).size(), 1u);
+}
+
+TEST(WrongModel, HasTheFrequenciesOfItsMistake) {
   const Values modes{1.0, 2.0, 3.0};
-  const Values expected = comparison::reference_result(upright, Quantity::stick_frequency, modes);
-  const Values computed =
-      wrong_values(flat_case(), "second-moment-of-other-axis", Quantity::stick_frequency, modes);
-  for (std::size_t i = 0; i < modes.size(); ++i)
-    EXPECT_TRUE(within(computed[i], expected[i], round_off(20, 2.0, expected[i])));
-  EXPECT_FALSE(comparison::wrong_result(paper_case(0.1), "second-moment-of-other-axis",
-                                        Quantity::stick_frequency, modes));
+  const auto of = [&](const data::Case& problem, const char* name) {
+    return wrong_values(problem, name, stick_frequency, modes);
+  };
+  const Values printed = of(paper_case(0.1), "second-moment-as-printed");
+  EXPECT_TRUE(within(printed[0], 1.607, reference(5e-4, "E1")));
+  EXPECT_TRUE(within(printed[1], 7.231, reference(5e-4, "E1")));
+  EXPECT_TRUE(within(printed[2], 16.03, reference(5e-3, "E1")));
+  // 20 mm by 200 mm about the other axis: 100 times the second moment. At P = 0 tan(beta L) = tanh(beta L), and with one wave
+  // number rho A omega^2 = EI beta^4 + P beta^2.
+  const data::Case strip = strip_case(0.3), unloaded = with_value(strip, "beam.axial_force", 0.0);
+  const data::Beam& beam = strip.beam;
+  const Values upright =
+                   comparison::reference_result(with_value(flat_case(), "beam.second_moment_of_area",
+                                                           100.0 * flat_case().beam.second_moment_of_area()),
+                                                stick_frequency, modes),
+               other_axis = of(flat_case(), "second-moment-of-other-axis"),
+               one_wave_number = of(strip, "one-wave-number"),
+               without = comparison::reference_result(unloaded, stick_frequency, modes);
+  for (std::size_t i = 0; i < modes.size(); ++i) {
+    EXPECT_TRUE(within(other_axis[i], upright[i], round_off(20, 2.0, upright[i])));
+    const double two_pi = 2.0 * std::numbers::pi, omega = two_pi * without[i],
+                 mass = beam.density() * beam.area(), beta_squared = omega * std::sqrt(mass / rigidity(beam)),
+                 expected = std::sqrt(omega * omega + beam.axial_force() * beta_squared / mass) / two_pi;
+    EXPECT_TRUE(within(one_wave_number[i], expected, round_off(20, 1.0, expected)));
+  }
+  EXPECT_EQ(wrong_values(strip, "participation-without-shape", participation, modes),
+            wrong_values(strip, "wall-moves-with-base", participation, modes));
+  // beta L of both; 60 elements have (beta l)^4/1440 and a clamp of 1e8 EI/L up to the share 4e-8 of 4 EI/L.
+  const double ratio = std::pow(4.73004074 / 3.92660231, 2);
+  EXPECT_TRUE(
+      within(of(unloaded, "tip-clamped-in-stick")[0] / without[0], ratio,
+             discretisation(ratio * (std::pow(4.73 / 60.0, 4) / 1440.0 + 4e-8), 1.0, "mesh and clamp")));
+}
+
+// Every model that knows stick and slip, on its mesh in steps with a tip that never slips, beside what it says of the held beam
+// by modes. The right model in the same run tells the error in phase of all, which in the stiffest is 2^1.5 times as large.
+// With another start the velocity jumps along the beam, and the phase of its highest modes is lost.
+TEST(WrongModel, OnTheMeshIsThatOfTheModesInStick) {
+  data::Case problem = with_numerics(strip_case(0.05), 40, 2e-5, 60);
+  problem.friction = data::FrictionLaw({.static_coefficient = 1e4, .kinetic_coefficient = 5e3, .decay = 1.0});
+  const RightResult held{problem, stick_displacement, steps_to(0.05, 50)};
+  const double error = held.distance(
+      held.reference, comparison::reference_result(problem, midspan_displacement, held.abscissa));
+  for (const auto& recipe : comparison::wrong_model_recipes()) {
+    const auto& name = recipe.wrong_model.name;
+    // A smooth law lets the tip creep. Damping of the T_n leaves out that of S h, which a mesh has.
+    if (!recipe.knows_stick_slip || (recipe.law && !recipe.law->holds) || name == "damping-added") continue;
+    const auto run = comparison::wrong_result(problem, name, midspan_displacement, held.abscissa),
+               modes = comparison::wrong_result(problem, name, stick_displacement, held.abscissa);
+    ASSERT_EQ(run.has_value(), modes.has_value()) << name;
+    const bool starts_otherwise = recipe.start != studies::Start::quasi_static || name == "cosine-for-sine";
+    if (!run) continue;
+    EXPECT_TRUE(within(held.distance(*modes, *run), 0.0,
+                       discretisation(error, starts_otherwise ? 1e3 : 3.0, "the right model")))
+        << name;
+  }
 }
 
 TEST(WrongModel, ZeroInitialVelocityGrowsWithTheModes) {
-  const data::Case problem = with_excitation(paper_case(10.0), 15.0, 0.5e-3);
-  const auto largest = [&](int modes) {
-    return wrong_values(with_numerics(problem, 20, 1e-4, modes), "zero-initial-velocity",
-                        Quantity::force_maximum, {15.0})[0];
-  };
-  EXPECT_TRUE(within(largest(10), 201.0, reference(0.5, "E4")));
-  EXPECT_TRUE(within(largest(20), 393.0, reference(0.5, "E4")));
-}
-
-// Both start from T_n = T_n' = 0, so that T_n of A0 cos(Ω t) is the slope of T_n of A0 sin(Ω t) over Ω. A central difference
-// over ± d is wrong by at most (w d)²/6 of each term, a free vibration of amplitude a by a (w/Ω) (w d)²/6; those at Ω are not
-// a thousandth of that.
-TEST(WrongModel, OfACosineIsTheSlopeOfThatOfASine) {
-  const data::Case problem = with_excitation(paper_case(0.3), 15.0, 1e-3);
-  const analytic::StickResponse sine(problem.beam, problem.excitation, 60);
-  constexpr double d = 5e-7, omega = 30.0 * std::numbers::pi;
-  double error = 0.0;
-  for (const auto& [a, w] : sine.transient_force())
-    error += std::abs(a) * w / omega * (w * d) * (w * d) / 6.0;
-  Values times;
-  for (int i = 1; i <= 20; ++i) times.push_back(0.0137 * i);
-  const Values cosine = wrong_values(problem, "cosine-for-sine", Quantity::stick_force, times);
-  for (std::size_t i = 0; i < times.size(); ++i) {
-    const double change = sine.friction_force(times[i] + d) - sine.friction_force(times[i] - d);
-    EXPECT_TRUE(within(cosine[i], change / (2.0 * d * omega),
-                       discretisation(error, 1.001, "sum of a w/W (w d)^2/6")));
-  }
+  const data::Case problem = with(paper_case(10.0), shaking(15.0));
+  for (const auto& [modes, largest] : {std::pair{10, 201.0}, {20, 393.0}})
+    EXPECT_TRUE(within(wrong_values(with_numerics(problem, 20, 1e-4, modes), "zero-initial-velocity",
+                                    force_maximum, {15.0})[0],
+                       largest, reference(0.5, "E4")));
 }
 
 // Over one step the force of a base that starts at its largest displacement falls: the largest is that at t = 0.
-TEST(WrongModel, OfACosineHasItsLargestForceAtTheStart) {
-  constexpr double step = 1e-5;
-  const data::Case problem = with_values(with_excitation(paper_case(1.0), 15.0, 1e-3),
-                                         {{"numerics.time_step", step}, {"excitation.duration", step}});
+TEST(WrongModel, OfACosineIsLargestAtTheStart) {
+  const data::Case problem = with_values(with(paper_case(1.0), shaking(15.0, 1e-3)),
+                                         {{"numerics.time_step", 1e-5}, {"excitation.duration", 1e-5}});
   const auto value = [&](Quantity quantity, double at) {
     return wrong_values(problem, "cosine-for-sine", quantity, {at}).front();
   };
-  EXPECT_LT(value(Quantity::stick_force, step), 0.999 * value(Quantity::stick_force, 0.0));
-  EXPECT_EQ(value(Quantity::force_maximum, 15.0), value(Quantity::stick_force, 0.0));
+  EXPECT_LT(value(stick_force, 1e-5), 0.999 * value(stick_force, 0.0));
+  EXPECT_EQ(value(force_maximum, 15.0), value(stick_force, 0.0));
 }
 
-// Half the motion of the base halves the steady vibration, leaves its phases and a quarter of the heat: the mesh of the wrong model
-// against the closed form of the right one. Off resonance by a third and more, the frequency errors (beta l)^4/1440 of the
-// first modes count less than tenfold, 1e-6 in mode 1 and 1e-5 in mode 2.
-TEST(WrongModel, OfHalfTheMotionHasHalfTheSteadyVibration) {
-  data::Case problem = paper_case(1.0);
-  problem.damping = kelvin_voigt(6e-5);
-  for (const auto& [quantity, factor, norm] :
-       {std::tuple{Quantity::steady_amplitude, 0.5, data::Norm::relative},
-        {Quantity::steady_phase, 1.0, data::Norm::scale},
-        {Quantity::steady_force_amplitude, 0.5, data::Norm::relative},
-        {Quantity::steady_force_phase, 1.0, data::Norm::scale},
-        {Quantity::heat, 0.25, data::Norm::relative}}) {
-    const ModelResults results = comparison::model_results(problem, quantity, {15.0, 35.0, 70.0});
-    EXPECT_EQ(results.norm, norm);
-    const Values half = wrong_values(problem, "peak-to-peak-amplitude", quantity, {15.0, 35.0, 70.0});
-    for (std::size_t i = 0; i < half.size(); ++i)
-      EXPECT_TRUE(within(half[i], factor * results.reference[i],
-                         discretisation(1e-4 * std::abs(factor * results.reference[i]), 1.0, "mesh of 20")))
+// The steady vibration on the mesh of 20 is that of the closed form, but for the error (beta l)^4/720 of the square of a frequency,
+// 2.2e-5 in mode 2, which counts fourfold at 70 of 81 Hz and twice as much in the heat. Half the motion of the base halves it,
+// leaves its phases and a quarter of the heat.
+TEST(WrongModel, OfHalfTheMotionHalvesSteadyMotion) {
+  const data::Case problem = with_damping(paper_case(1.0), {.kelvin_voigt = 6e-5});
+  for (const double hz : {15.0, 35.0, 70.0}) {
+    const analytic::DampedSteadyState exact(problem.beam, shaking(hz, 1e-3), problem.damping,
+                                            analytic::TipSupport::held);
+    const std::complex<double> middle = exact.displacement(0.5 * problem.beam.length()),
+                               force = exact.friction_force();
+    for (const auto& [quantity, value, factor] : {std::tuple{steady_amplitude, std::abs(middle), 0.5},
+                                                  {steady_phase, std::arg(middle), 1.0},
+                                                  {steady_force_amplitude, std::abs(force), 0.5},
+                                                  {steady_force_phase, std::arg(force), 1.0},
+                                                  {heat, exact.dissipated_energy(), 0.25}}) {
+      const double on_mesh = comparison::reference_result(problem, quantity, {hz})[0];
+      EXPECT_TRUE(
+          within(on_mesh, value, discretisation(1.8e-4 * std::abs(value), 2.0, "mode 2 on 20 elements")))
           << comparison::name_of(quantity);
+      EXPECT_EQ(wrong_values(problem, "peak-to-peak-amplitude", quantity, {hz})[0], factor * on_mesh);
+    }
   }
 }
 
-TEST(WrongModel, WithFewModesIsTheResponseOfSoManyModes) {
+TEST(WrongModel, WithFewModesIsTheResponseOfSoMany) {
   const data::Case problem = paper_case(0.3);
-  const Values times = abscissa_for(problem, Quantity::stick_force);
+  const Values times = abscissa_for(problem, stick_force);
   for (const auto& [name, modes] :
        {std::pair{"one-mode", 1}, {"two-modes", 2}, {"three-modes", 3}, {"five-modes", 5}}) {
     const analytic::StickResponse response(problem.beam, problem.excitation, modes);
-    const Values computed = wrong_values(problem, name, Quantity::stick_force, times);
+    const Values computed = wrong_values(problem, name, stick_force, times);
     const double largest = std::ranges::max(computed);
     // 25 Hz lies 0.0011 from resonance, where two terms of opposite signs cancel to that share.
     for (std::size_t i = 0; i < times.size(); ++i)
       EXPECT_TRUE(within(computed[i], response.friction_force(times[i]), round_off(30, 1e3, largest)));
   }
-}
-
-TEST(WrongModel, HasTheInputsThatItsNameSays) {
-  data::Case problem = paper_case(0.1);
-  const auto of = [&](const char* name) { return comparison::recipe_of(name).inputs(problem); };
-  EXPECT_FALSE(of("damping-left-out") || of("mass-proportional-damping") || of("same-damping-ratio"));
-  problem.damping = data::Damping({.ratio = 0.02});
-  EXPECT_EQ(of("damping-left-out")->damping.ratio(), 0.0);
-  EXPECT_FALSE(of("damping-added"));
-  problem.damping = data::Damping({.kelvin_voigt = 6e-5});
-  EXPECT_EQ(of("damping-left-out")->damping.kelvin_voigt(), 0.0);
-  EXPECT_EQ(of("damping-added")->damping.kelvin_voigt(), 6e-5);
-  EXPECT_EQ(of("damping-added")->damping.ratio(), 0.01);
-  const double omega = analytic::stick_modes(problem.beam, 1).front().angular_frequency();
-  EXPECT_DOUBLE_EQ(of("same-damping-ratio")->damping.ratio(), 3e-5 * omega);
-  EXPECT_EQ(of("stiffness-doubled")->beam.youngs_modulus(), 4e9);
-  EXPECT_EQ(of("stiffness-halved")->beam.youngs_modulus(), 1e9);
-  EXPECT_EQ(of("axial-force-left-out")->beam.axial_force(), 0.0);
-  EXPECT_EQ(of("kinetic-coefficient-as-limit")->friction.static_coefficient(), 0.3);
-  EXPECT_EQ(of("one-friction-coefficient")->friction.kinetic_coefficient(), 0.6);
-  EXPECT_DOUBLE_EQ(of("hertz-as-radians")->excitation.frequency_hz(), 12.5 / std::numbers::pi);
-  EXPECT_EQ(comparison::recipe_of("one-period-maximum").observed_for(problem), 0.04);
-  for (const auto& [name, step, radius] : {std::tuple{"ten-times-the-step", 1e-3, 0.9},
-                                           {"spectral-radius-zero", 1e-4, 0.0},
-                                           {"strong-algorithmic-damping", 1e-3, 0.0}}) {
-    EXPECT_EQ(of(name)->numerics.time_step(), step) << name;
-    EXPECT_EQ(of(name)->numerics.spectral_radius(), radius) << name;
-  }
-  problem.friction = data::FrictionLaw({.static_coefficient = 0.6, .kinetic_coefficient = 0.6, .decay = 1.0});
-  EXPECT_FALSE(of("one-friction-coefficient") || of("kinetic-coefficient-as-limit"));
-  // Two elements have the deflections and rotations of two nodes.
-  EXPECT_TRUE(comparison::wrong_result(problem, "two-elements", Quantity::slip_frequency, {4.0}));
-  EXPECT_FALSE(comparison::wrong_result(problem, "two-elements", Quantity::slip_frequency, {5.0}));
 }
 
 TEST(WrongModel, HasTheStepsThatItsNameSays) {
@@ -492,15 +497,8 @@ TEST(WrongModel, HasTheStepsThatItsNameSays) {
 
 TEST(WrongModel, HasTheMistakeThatItsNameSays) {
   const data::Case problem = paper_case(0.1);
-  const auto base = comparison::recipe_of("cosine-for-sine").base(problem.excitation);
-  const double omega = 50.0 * std::numbers::pi;
-  EXPECT_TRUE(within(base.displacement(0.0), 1e-3, round_off(4, 1, 1e-3)));
-  EXPECT_TRUE(within(base.velocity(0.0), 0.0, round_off(4, 1, 1e-3 * omega)));
-  EXPECT_TRUE(within(base.acceleration(0.0), -1e-3 * omega * omega, round_off(8, 1, 1e-3 * omega * omega)));
-
   const solver::BeamModel mesh(problem.beam, 4);
-  auto system =
-      solver::beam_contact_system(mesh, problem.friction, base, data::Damping({.kelvin_voigt = 6e-5}));
+  auto system = solver::beam_contact_system(mesh, problem.friction, at_rest(), kelvin_voigt(6e-5));
   comparison::recipe_of("mass-proportional-damping").mesh(system, mesh);
   const double first = analytic::stick_modes(problem.beam, 1).front().angular_frequency();
   const Eigen::MatrixXd expected = 6e-5 * first * first * Eigen::MatrixXd(mesh.mass());
@@ -562,104 +560,46 @@ TEST(WrongModel, OfAMassOnABeltRunsByEitherMethod) {
   for (const auto& run : {studies::tip_run(system, at_rest(), numerics, start, 10.0, 4),
                           studies::tip_run(system, at_rest(), numerics, law, 10.0, 4)}) {
     ASSERT_EQ(run.events.size(), 4u);
-    for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(run.events[i], expected[i], 4e-4);
+    const Tolerance late = discretisation(4e-4, 1.0, "four changes, each late by a substep of 0.1 ms");
+    for (std::size_t i = 0; i < 4; ++i) EXPECT_TRUE(within(run.events[i], expected[i], late));
     EXPECT_LT(run.tip_displacement.size(), 2713u);  // it ends with the last of them, at 2.7095 s
-    EXPECT_NEAR(run.friction_force[200], -3.0, 1e-3);
-    EXPECT_NEAR(run.friction_force[900], -4.0, 1e-9);
-    EXPECT_NEAR(run.tip_displacement[900], 0.08 + 0.04 * std::cos(2.5) + 0.06 * std::sin(2.5), 1e-4);
+    EXPECT_TRUE(within(run.friction_force[200], -3.0, discretisation(0.1 * 10e-3, 1.0, "k v h/10, hold")));
+    EXPECT_TRUE(within(run.friction_force[900], -4.0, round_off(1e6, 1.0, 4.0)));
+    EXPECT_TRUE(within(run.tip_displacement[900], 0.08 + 0.04 * std::cos(2.5) + 0.06 * std::sin(2.5),
+                       discretisation(0.3 * 1e-4, 3.3, "velocity times a substep")));
   }
 }
 
 TEST(WrongModel, SteadyStateOnlyIsTheSteadyAmplitude) {
-  const data::Case problem = with_numerics(with_excitation(paper_case(0.025), 35.0, 0.5e-3), 20, 1e-3);
-  const analytic::StickResponse response(problem.beam, problem.excitation, 60);
-  const double amplitude = std::abs(response.steady_force_amplitude());
-  const double computed = wrong_values(problem, "steady-state-only", Quantity::force_maximum, {35.0})[0];
-  // The parabola through three samples around a peak of a sine, (Omega h)^2/8 below it at most, leaves the
-  // fourth-order term.
+  const data::Case problem = with_numerics(with(paper_case(0.025), shaking(35.0)), 20, 1e-3);
+  const double amplitude =
+      std::abs(analytic::StickResponse(problem.beam, problem.excitation, 60).steady_force_amplitude());
+  // The parabola through three samples around a peak of a sine leaves the fourth-order term.
   const double angle = 2.0 * std::numbers::pi * 35.0 * 1e-3;
-  EXPECT_TRUE(within(computed, amplitude,
+  EXPECT_TRUE(within(wrong_values(problem, "steady-state-only", force_maximum, {35.0})[0], amplitude,
                      discretisation(amplitude * std::pow(angle, 4) / 24.0, 1.0, "(Omega h)^4/24")));
 }
 
-TEST(WrongModel, BaseLoadAndMovingWallAddUpToTheTruth) {
+// Base load and moving wall add up to the truth, or to the mistake of a sign; without its quasi-static part the force lacks
+// E I S'''(L) h; and a dead load has the reaction without the follower term, by a mesh and by the closed form.
+TEST(WrongModel, IsThePartOfTheForceThatIsLeft) {
   const RightResult force = strip_force();
+  const data::Beam& beam = force.problem.beam;
   const Values support = force.of("base-load-left-out"), load = force.of("wall-moves-with-base");
-  Values sum, difference;
+  const auto base = solver::harmonic_motion(force.problem.excitation);
+  const double quasi_static =
+      rigidity(beam) * analytic::QuasiStaticShape(beam).third_derivative(beam.length());
+  Values sum, difference, completed = force.of("quasi-static-part-left-out");
   for (std::size_t i = 0; i < support.size(); ++i) {
     sum.push_back(support[i] + load[i]);
     difference.push_back(support[i] - load[i]);
+    completed[i] += quasi_static * base.displacement(force.abscissa[i]);
   }
-  EXPECT_TRUE(within(force.distance(sum, force.reference), 0.0,
-                     discretisation(truncation(force), 2.0, "sixty modes")));
-  EXPECT_TRUE(within(force.distance(force.of("base-load-sign"), difference), 0.0, round_off(1e3, 10.0, 1.0)));
-}
-
-TEST(WrongModel, WithoutTheQuasiStaticPartLacksTheStaticForce) {
-  const RightResult force = strip_force();
-  const data::Beam& beam = force.problem.beam;
-  const analytic::QuasiStaticShape shape(beam);
-  Values completed = force.of("quasi-static-part-left-out");
-  for (std::size_t i = 0; i < completed.size(); ++i)
-    completed[i] += beam.youngs_modulus() * beam.second_moment_of_area() *
-                    shape.third_derivative(beam.length()) * base_motion(force.problem, force.abscissa[i]);
-  EXPECT_TRUE(within(force.distance(completed, force.reference), 0.0,
-                     discretisation(truncation(force), 2.0, "sixty modes")));
-}
-
-TEST(WrongModel, ParticipationIsTheQuotientOfIntegrals) {
-  const data::Case problem = strip_case(0.3);
-  const Values computed =
-      wrong_values(problem, "participation-without-shape", Quantity::participation, {1.0, 2.0, 3.0});
-  const auto modes = analytic::stick_modes(problem.beam, 3);
-  constexpr int intervals = 2000;
-  const double step = problem.beam.length() / intervals;
-  for (std::size_t n = 0; n < modes.size(); ++n) {
-    double integral = 0.0;
-    for (int i = 0; i < intervals; ++i) integral += step * modes[n].shape((i + 0.5) * step);
-    const double expected = -integral / modes[n].norm_squared();
-    // Midpoint rule: h^2/24 (U'(L) - U'(0)).
-    const double error =
-        step * step / 24.0 * std::abs(modes[n].slope(problem.beam.length())) / modes[n].norm_squared();
-    EXPECT_TRUE(within(computed[n], expected, discretisation(error, 2.5, "h^2/24 U'(L)")));
-  }
-}
-
-TEST(WrongModel, OneWaveNumberLeavesOutTheAxialForce) {
-  // tan(beta L) = tanh(beta L) and rho A omega^2 = EI beta^4 + P beta^2.
-  const Values modes{1.0, 2.0, 3.0};
-  for (const double force : {0.0, 20.0}) {
-    const data::Case problem = data::with_value(strip_case(0.3), "beam.axial_force", force);
-    const data::Beam& beam = problem.beam;
-    const data::Case unloaded = data::with_value(problem, "beam.axial_force", 0.0);
-    const Values without = comparison::reference_result(unloaded, Quantity::stick_frequency, modes);
-    const Values computed = wrong_values(problem, "one-wave-number", Quantity::stick_frequency, modes);
-    for (std::size_t i = 0; i < modes.size(); ++i) {
-      const double omega = 2.0 * std::numbers::pi * without[i], mass = beam.density() * beam.area();
-      const double beta_squared =
-          omega * std::sqrt(mass / (beam.youngs_modulus() * beam.second_moment_of_area()));
-      const double expected =
-          std::sqrt(omega * omega + force * beta_squared / mass) / (2.0 * std::numbers::pi);
-      EXPECT_TRUE(within(computed[i], expected, round_off(20, 1.0, expected)));
-    }
-  }
-}
-
-TEST(WrongModel, ClampedTipHasTheFrequenciesOfAClampedBeam) {
-  const data::Case problem = data::with_value(strip_case(0.3), "beam.axial_force", 0.0);
-  const double held = comparison::reference_result(problem, Quantity::stick_frequency, {1.0})[0],
-               clamped = wrong_values(problem, "tip-clamped-in-stick", Quantity::stick_frequency, {1.0})[0];
-  // beta L of both; 60 elements have (beta l)^4/1440 and a clamp of 1e8 EI/L up to the share 4e-8 of 4 EI/L.
-  const double ratio = std::pow(4.73004074 / 3.92660231, 2);
+  const double modes = truncation(force);
+  EXPECT_TRUE(within(force.distance(sum, force.reference), 0.0, discretisation(modes, 2.0, "sixty modes")));
   EXPECT_TRUE(
-      within(clamped / held, ratio,
-             discretisation(ratio * (std::pow(4.73 / 60.0, 4) / 1440.0 + 4e-8), 1.0, "mesh and clamp")));
-}
-
-TEST(WrongModel, DeadLoadHasTheReactionWithoutFollowerTerm) {
-  // By a mesh and by the closed form.
-  const RightResult force = strip_force();
-  const data::Beam& beam = force.problem.beam;
+      within(force.distance(completed, force.reference), 0.0, discretisation(modes, 2.0, "sixty modes")));
+  EXPECT_TRUE(within(force.distance(force.of("base-load-sign"), difference), 0.0, round_off(1e3, 10.0, 1.0)));
   const analytic::StickResponse response(beam, force.problem.excitation, 60);
   double drift = 0.0;
   for (std::size_t n = 0; n < 60; ++n) {
@@ -667,10 +607,9 @@ TEST(WrongModel, DeadLoadHasTheReactionWithoutFollowerTerm) {
     const auto term = response.transient_force()[n];
     drift += std::abs(term.amplitude) * std::min(2.0, 0.5 * error * term.angular_frequency * 0.3);
   }
-  const std::size_t size = force.reference.size();
-  const double scale = force.distance(Values(size, drift), Values(size, 0.0));
-  EXPECT_TRUE(within(force.distance(force.of("dead-load"), force.of("reaction-without-follower-term")), 0.0,
-                     discretisation(scale + truncation(force), 1.0, "drift on 60 elements and sixty modes")));
+  EXPECT_TRUE(
+      within(force.distance(force.of("dead-load"), force.of("reaction-without-follower-term")), 0.0,
+             discretisation(force.size_of(drift) + modes, 1.0, "drift on 60 elements and sixty modes")));
 }
 
 // The order in which what a wrong model gets wrong falls where step or element length is halved; `next_term`
@@ -680,117 +619,43 @@ TEST(WrongModel, DeadLoadHasTheReactionWithoutFollowerTerm) {
   const double order =
       std::log2(distance_from_truth(coarse, name, quantity) / distance_from_truth(fine, name, quantity));
   return within(order, predicted,
-                discretisation(1.5 * next_term / std::numbers::ln2, 1.0, "next terms of two levels"));
+                discretisation(1.5 * next_term / std::numbers::ln2, 1.0, "next terms of two levels"))
+         << name;
 }
 
-TEST(WrongModel, OfTheTimeSteppingHaveTheOrdersOfTheirMistakes) {
-  const data::Case coarse = with_numerics(strip_case(0.3), 20, 8e-6, 3),
-                   fine = with_numerics(strip_case(0.3), 20, 4e-6, 3);
+TEST(WrongModel, HasTheOrderOfItsMistake) {
+  const data::Case coarse_step = with_numerics(strip_case(0.3), 20, 8e-6, 3),
+                   fine_step = with_numerics(strip_case(0.3), 20, 4e-6, 3),
+                   coarse_mesh = with_numerics(strip_case(0.3), 16, 1e-4),
+                   fine_mesh = with_numerics(strip_case(0.3), 32, 1e-4);
   // The next power of h comes with the third frequency; dissipation at a spectral radius of 0 doubles it, and
   // that wrong model takes ten times the step.
-  const double phase = analytic::stick_modes(coarse.beam, 3).back().angular_frequency() * 8e-6;
-  const auto quantity = Quantity::stick_displacement;
-  EXPECT_TRUE(order_is(1.0, "load-at-end-of-step", quantity, coarse, fine, phase));
-  EXPECT_TRUE(order_is(1.0, "alphas-interchanged", quantity, coarse, fine, phase));
-  EXPECT_TRUE(order_is(2.0, "strong-algorithmic-damping", quantity, coarse, fine, 20.0 * phase));
-}
-
-// The distance of the free vibrations of the time stepper from the true ones.
-double predicted_distance(const data::Case& problem, double spectral_radius, double time_step) {
-  const RightResult right{problem, Quantity::stick_displacement};
-  Values stepped = right.reference;
-  const analytic::StickResponse response(problem.beam, problem.excitation, 60);
-  for (const auto& [amplitude, omega] : response.transient_displacement(0.5 * problem.beam.length())) {
-    const auto exponent = studies::generalized_alpha_exponent(spectral_radius, omega, time_step);
-    for (std::size_t i = 0; i < stepped.size(); ++i) {
-      const double t = right.abscissa[i];
-      stepped[i] += amplitude * (std::exp(exponent * t).imag() - std::sin(omega * t));
-    }
-  }
-  return right.distance(stepped, right.reference);
-}
-
-// The phase of free vibration n is late by about (omega_n h)^2 omega_n t/12. From mode 12 on it is late by more than a
-// radian, and the error no longer falls with h^2. The amplitudes of these modes fall with the seventh power of n, and their
-// share of the error only slowly with h, so that the order of the sum is not yet 2. The sum of the modes predicts it:
-// 2.038 and 1.975.
-TEST(WrongModel, OfTheTimeStepHasTheOrderOfItsFreeVibrations) {
-  const data::Case coarse = with_numerics(strip_case(0.3), 20, 8e-6),
-                   fine = with_numerics(strip_case(0.3), 20, 4e-6);
-  for (const auto& [name, radius] :
-       {std::pair{"time-step-of-the-case", 0.9}, {"spectral-radius-zero", 0.0}}) {
-    const double at_coarse = predicted_distance(coarse, radius, 8e-6),
-                 at_fine = predicted_distance(fine, radius, 4e-6);
-    // Without the steady vibration and the errors of the amplitudes: 0.3 % and 2 % of the distance.
-    const double left_out = distance_from_truth(coarse, name, Quantity::stick_displacement) / at_coarse - 1.0;
-    EXPECT_LT(std::abs(left_out), 0.03) << name;
-    EXPECT_TRUE(order_is(std::log2(at_coarse / at_fine), name, Quantity::stick_displacement, coarse, fine,
-                         std::abs(left_out) / 1.5))
-        << name;
-  }
-}
-
-TEST(WrongModel, OfTheMeshHaveTheOrdersOfTheirMistakes) {
-  const data::Case coarse = with_numerics(strip_case(0.3), 16, 1e-4),
-                   fine = with_numerics(strip_case(0.3), 32, 1e-4);
+  const double phase = analytic::stick_modes(coarse_step.beam, 3).back().angular_frequency() * 8e-6;
   // beta l of the third mode on 16 elements; the next power is the square of it, over ten or more.
-  const double beta_length = 3.25 * std::numbers::pi / 16.0;
-  const double next_term = beta_length * beta_length / 10.0;
-  EXPECT_TRUE(order_is(2.0, "lumped-mass", Quantity::stick_frequency, coarse, fine, next_term));
+  const double next_term = std::pow(3.25 * std::numbers::pi / 16.0, 2) / 10.0;
+  for (const auto& [order, name, next] : {std::tuple{1.0, "load-at-end-of-step", phase},
+                                          {1.0, "alphas-interchanged", phase},
+                                          {2.0, "strong-algorithmic-damping", 20.0 * phase}})
+    EXPECT_TRUE(order_is(order, name, stick_displacement, coarse_step, fine_step, next));
   // The cubic has the force of the element's middle. At the held tip u'''' = -(rho A y_tt + P u'')/EI is
   // zero, and with it the term of first order.
-  EXPECT_TRUE(order_is(2.0, "force-from-shape-functions", Quantity::stick_force, coarse, fine, next_term));
-  EXPECT_TRUE(order_is(2.0, "load-without-moments", Quantity::stick_displacement, coarse, fine, next_term));
-}
-
-// f at 0.5, 1, ... 10 ms of a run of the time stepper with its tip held.
-Values held_force(const data::Case& problem) {
-  solver::BeamSimulation run(problem, {.contact = solver::TipContact::bonded});
-  const long every = std::lround(0.5e-3 / problem.numerics.time_step());
-  Values force;
-  for (long n = 1; n <= 20 * every; ++n) {
-    run.step();
-    if (n % every == 0) force.push_back(run.friction_force());
-  }
-  return force;
-}
-
-TEST(WrongModel, OfFourElementsIsTheTimeStepperOnThatMesh) {
-  const data::Case problem = strip_case(0.3);
-  const Values coarse = held_force(with_numerics(problem, 4, 4e-6)),
-               fine = held_force(with_numerics(problem, 4, 2e-6));
-  const Values exact = wrong_values(problem, "four-elements", Quantity::stick_force, steps_to(10e-3, 20));
-  EXPECT_TRUE(
-      within(studies::largest_difference(fine, exact), 0.0,
-             discretisation(studies::largest_difference(coarse, fine) / 3.0, 2.0, "order 2 in the step")));
-}
-
-TEST(WrongModel, WithAMovingWallCarriesTheTipAlongUntilItSlips) {
-  const data::Case problem = case_for("paper", Quantity::tip_displacement);
-  const Values first = wrong_values(problem, "wall-moves-with-base", Quantity::contact_event, {1.0});
-  const Values times = steps_to(0.9 * first[0], 5);
-  const Values tip = wrong_values(problem, "wall-moves-with-base", Quantity::tip_displacement, times);
-  for (std::size_t i = 0; i < times.size(); ++i)
-    // Between two steps the tip is interpolated.
-    EXPECT_TRUE(within(tip[i], base_motion(problem, times[i]),
-                       discretisation(1e-3 * std::pow(2.0 * std::numbers::pi * 25.0 * 1e-4, 2) / 8.0, 2.0,
-                                      "A0 (Omega h)^2/8")));
+  for (const auto& [name, quantity] : {std::pair{"lumped-mass", stick_frequency},
+                                       {"force-from-shape-functions", stick_force},
+                                       {"load-without-moments", stick_displacement}})
+    EXPECT_TRUE(order_is(2.0, name, quantity, coarse_mesh, fine_mesh, next_term));
 }
 
 // --- the diagnosis
 
 STICKSLIP_VERIFIES(Diagnosis, "X17");
-TEST(Diagnosis, BlamesNobodyForAMistakeThatIsNotOnTheList) {
+TEST(Diagnosis, BlamesNobodyForAnUnlistedMistake) {
   for (const char* name : {"paper", "strip"})
     for (const Quantity quantity :
-         {Quantity::stick_frequency, Quantity::slip_frequency, Quantity::participation,
-          Quantity::force_maximum, Quantity::stick_force, Quantity::stick_displacement}) {
+         {stick_frequency, slip_frequency, participation, force_maximum, stick_force, stick_displacement}) {
       const data::Case problem = case_for(name, quantity);
       const ModelResults model_results = model_results_of(problem, quantity);
-      const data::Case too_long = data::with_value(problem, "beam.length", 1.04 * problem.beam.length());
-      const data::Case too_soft =
-          data::with_value(problem, "beam.youngs_modulus", 0.93 * problem.beam.youngs_modulus());
-      for (const data::Case& wrong : {too_long, too_soft}) {
+      for (const auto& [key, factor] : {std::pair{"beam.length", 1.04}, {"beam.youngs_modulus", 0.93}}) {
+        const data::Case wrong = with_value(problem, key, factor * value_of(problem, key));
         const Diagnosis diagnosis = diagnosed(
             model_results, comparison::reference_result(wrong, quantity, abscissa_for(problem, quantity)),
             stated_for(quantity));
@@ -801,51 +666,26 @@ TEST(Diagnosis, BlamesNobodyForAMistakeThatIsNotOnTheList) {
     }
 }
 
-TEST(Diagnosis, RanksTheNearestFirst) {
-  const ModelResults model_results = model_results_of(strip_case(0.5), Quantity::participation);
-  const Diagnosis diagnosis = diagnosed(model_results, model_results.wrong_models[1].values);
-  EXPECT_EQ(diagnosis.ranked.size(), model_results.wrong_models.size());
-  EXPECT_EQ(diagnosis.ranked.front().name, model_results.wrong_models[1].name);
-  EXPECT_TRUE(std::ranges::is_sorted(diagnosis.ranked, {}, &Hypothesis::distance));
-}
-
-TEST(Diagnosis, NamesAMistakeByOneNumberOnlyIfFourDigitsAgree) {
-  const data::Case problem = case_for("paper", Quantity::force_maximum);
-  const ModelResults model_results = comparison::model_results(problem, Quantity::force_maximum, {35.0});
-  const Values wrong = wrong_values(problem, "peak-to-peak-amplitude", Quantity::force_maximum, {35.0});
-  const auto diagnosis_of = [&](double value) {
-    return comparison::diagnose(model_results, {value}, {1e-6});
-  };
-  const Diagnosis exact = diagnosis_of(wrong[0]);
-  EXPECT_EQ(exact.finding, Finding::mistaken);
-  EXPECT_TRUE(names(exact, "peak-to-peak-amplitude"));
-  const auto count =
-      static_cast<double>(std::ranges::count_if(model_results.wrong_models, [&](const auto& wrong_model) {
-        return std::isfinite(wrong_model.from_reference) && wrong_model.from_reference > exact.uncertainty;
-      }));
-  EXPECT_TRUE(within(exact.required_ratio, count / (0.01 * std::log(10.0)),
-                     round_off(1e4, 10.0, exact.required_ratio)));
-  EXPECT_EQ(diagnosis_of(1.002 * wrong[0]).finding, Finding::unexplained);
-}
-
 TEST(Diagnosis, NamesHardlyAnyUnrelatedErrorByAccident) {
   // Deviations of random direction, of sizes over a decade: at most one in a hundred may be named.
-  const ModelResults model_results = model_results_of(strip_case(0.5), Quantity::force_maximum);
-  std::mt19937 generator(7);
-  std::normal_distribution<double> component;
-  std::uniform_real_distribution<double> exponent(-1.5, -0.5);
+  const ModelResults model_results = model_results_of(strip_case(0.5), force_maximum);
+  RandomNumbers numbers(7);
+  const auto normal = [&] {
+    return std::sqrt(-2.0 * std::log(numbers.uniform(1e-12, 1.0))) *
+           std::cos(2.0 * std::numbers::pi * numbers.uniform(0.0, 1.0));
+  };
   constexpr int draws = 5000;
   int named = 0;
   for (int draw = 0; draw < draws; ++draw) {
     Values values = model_results.reference, direction;
     double square = 0.0;
     for (std::size_t i = 0; i < values.size(); ++i) {
-      direction.push_back(component(generator));
+      direction.push_back(normal());
       square += direction.back() * direction.back();
     }
-    const double size = std::pow(10.0, exponent(generator)) * std::sqrt(static_cast<double>(values.size()));
-    for (std::size_t i = 0; i < values.size(); ++i)
-      values[i] *= 1.0 + size * direction[i] / std::sqrt(square);
+    const double size =
+        numbers.log_uniform(0.0316, 0.316) * std::sqrt(static_cast<double>(values.size()) / square);
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] *= 1.0 + size * direction[i];
     const Diagnosis diagnosis =
         comparison::diagnose(model_results, values, stated_uncertainty(model_results, 1e-5));
     named += diagnosis.finding == Finding::mistaken ? 1 : 0;
@@ -854,7 +694,7 @@ TEST(Diagnosis, NamesHardlyAnyUnrelatedErrorByAccident) {
 }
 
 TEST(Diagnosis, DimensionIsMeasuredByAngles) {
-  // Two deviations of length 0.5 at 60 degrees: n = 2^2/(1 + 1 + 2 cos^2 60).
+  // Two deviations of length 0.5 at 60 degrees: n = 2^2/(1 + 1 + 2 cos^2 60). A third one is infinite.
   const double length = 0.5 / std::sqrt(3.0);
   const ModelResults model_results{
       .norm = data::Norm::scale,
@@ -862,7 +702,8 @@ TEST(Diagnosis, DimensionIsMeasuredByAngles) {
       .reference_uncertainty = 0.02,
       .wrong_models = {
           {.name = "one", .values = {1.5, 1.0, 1.0}, .from_reference = length},
-          {.name = "other", .values = {1.25, 1.0 + std::sqrt(0.1875), 1.0}, .from_reference = length}}};
+          {.name = "other", .values = {1.25, 1.0 + std::sqrt(0.1875), 1.0}, .from_reference = length},
+          {.name = "none", .values = {infinite, 1.0, 1.0}, .from_reference = infinite}}};
   const Diagnosis diagnosis =
       comparison::diagnose(model_results, model_results.reference, {0.01, 0.01, 0.01});
   EXPECT_TRUE(within(diagnosis.uncertainty, 0.03, round_off(10, 1.0, 0.03)));
@@ -871,7 +712,7 @@ TEST(Diagnosis, DimensionIsMeasuredByAngles) {
 }
 
 // One number, whose uncertainty is 0.25 of the reference: all distances are exact.
-TEST(Diagnosis, CountsADistanceEqualToTheUncertaintyAsWithinIt) {
+TEST(Diagnosis, CountsTheUncertaintyAsWithinIt) {
   const auto of = [](double value, const std::vector<std::pair<std::string, double>>& wrong_models) {
     ModelResults results{
         .norm = data::Norm::scale, .reference = {1.0}, .reference_uncertainty = 0.0, .wrong_models = {}};
@@ -892,6 +733,7 @@ TEST(Diagnosis, CountsADistanceEqualToTheUncertaintyAsWithinIt) {
   EXPECT_EQ(mistaken.named, std::vector<std::string>{"tension"});
 }
 
+// The nearest that explains anything, 3 % away, and up to two beside it by name; more than three by their number.
 TEST(Diagnosis, SentenceNamesAtMostThreeMistakes) {
   Diagnosis diagnosis{
       .from_reference = 0.1,
@@ -899,36 +741,35 @@ TEST(Diagnosis, SentenceNamesAtMostThreeMistakes) {
       .required_ratio = 4.0,
       .ranked = {{.name = "force-sign", .distance = 0.001, .from_reference = 0.02},
                  {.name = "tension", .sentence = "P is tensile", .distance = 0.03, .from_reference = 0.2}}};
-  const auto said = [&](Finding finding, const std::vector<std::string>& named) {
-    diagnosis.finding = finding;
-    diagnosis.named = named;
-    return comparison::sentence(diagnosis);
-  };
   const std::vector<std::string> three{"tension", "one-mode", "two-modes"},
       four{"tension", "one-mode", "two-modes", "three-modes"};
-  const std::string correct = "correct: 10 % from the reference, within the uncertainty of 2 %",
-                    like = "'tension' (P is tensile) to 3 %, while the reference is 10 % away";
-  EXPECT_EQ(said(Finding::correct, {}), correct);
-  EXPECT_EQ(said(Finding::correct, three),
-            correct + "; 'tension', 'one-mode', 'two-modes' cannot be distinguished from the reference");
-  EXPECT_EQ(said(Finding::correct, four),
-            correct + "; 4 known mistakes cannot be distinguished from the reference");
-  EXPECT_EQ(said(Finding::mistaken, {"tension"}), "like " + like);
-  EXPECT_EQ(said(Finding::mistaken, three), "like " + like + "; it could as well be 'one-mode', 'two-modes'");
-  EXPECT_EQ(said(Finding::mistaken, four),
-            "like 4 known mistakes that cannot be told apart here, the nearest " + like);
-  EXPECT_EQ(said(Finding::undecided, {}),
-            "undecided: 10 % from the reference, which another mesh and step do not confirm");
-  EXPECT_EQ(
-      said(Finding::unexplained, {}),
-      "wrong by 10 %, not near any known mistake; the nearest, 'tension', is 3 % away and would have to be "
-      "within 2.5 %");
+  struct Said {
+    Finding finding;
+    std::vector<std::string> named, parts, not_said;
+  };
+  for (const auto& [finding, named, parts, not_said] : std::vector<Said>{
+           {Finding::correct, {}, {"correct", "10 %", "2 %"}, {"cannot be distinguished", "'"}},
+           {Finding::correct, three, {"'tension'", "'one-mode'", "'two-modes'"}, {}},
+           {Finding::correct, four, {"4 known mistakes"}, {"'"}},
+           {Finding::mistaken, {"tension"}, {"like 'tension' (P is tensile)", "3 %", "10 %"}, {"as well"}},
+           {Finding::mistaken, three, {"as well be 'one-mode', 'two-modes'"}, {"force-sign"}},
+           {Finding::mistaken, four, {"like 4 known mistakes", "nearest 'tension'"}, {"one-mode"}},
+           {Finding::undecided, {}, {"undecided", "10 %"}, {"'"}},
+           {Finding::unexplained,
+            {},
+            {"wrong by 10 %", "'tension', is 3 % away", "2.5 %"},
+            {"force-sign"}}}) {
+    diagnosis.finding = finding, diagnosis.named = named;
+    const std::string text = comparison::sentence(diagnosis);
+    for (const std::string& part : parts) EXPECT_TRUE(holds(text, part));
+    for (const std::string& part : not_said) EXPECT_FALSE(holds(text, part)) << text;
+  }
   diagnosis.ranked.pop_back();
-  EXPECT_EQ(said(Finding::unexplained, {}), "wrong by 10 %, not near any known mistake");
+  EXPECT_TRUE(comparison::sentence(diagnosis).ends_with("not near any known mistake"));
 }
 
 TEST(Diagnosis, NamesTogetherWhatCannotBeToldApart) {
-  const RightResult force{strip_case(0.5), Quantity::stick_force};
+  const RightResult force{strip_case(0.5), stick_force};
   const ModelResults model_results = model_results_of(force.problem, force.quantity);
   const Diagnosis diagnosis = comparison::diagnose(model_results, force.of("dead-load"),
                                                    stated_uncertainty(model_results, 50.0 * 1e-5));
@@ -936,98 +777,83 @@ TEST(Diagnosis, NamesTogetherWhatCannotBeToldApart) {
   EXPECT_EQ(diagnosis.named.front(), "dead-load");
   EXPECT_TRUE(names(diagnosis, "reaction-without-follower-term"));
   EXPECT_FALSE(names(diagnosis, "follower-term-sign"));
-  const std::string text = diagnosis.sentence;
-  EXPECT_TRUE(holds(text, "like 'dead-load' (P keeps its direction"));
-  EXPECT_TRUE(holds(text, "it could as well be 'reaction-without-follower-term'"));
 }
 
-TEST(Diagnosis, NamesNobodyWhereTheTruthIsNotKnown) {
-  ModelResults model_results = model_results_of(strip_case(0.5), Quantity::participation);
-  model_results.reference_uncertainty = std::numeric_limits<double>::infinity();
+TEST(Diagnosis, RefusesWhatItCannotCompare) {
+  ModelResults model_results = comparison::model_results(paper_case(0.5), stick_frequency, {1.0, 2.0});
+  EXPECT_NO_THROW((void)comparison::diagnose(model_results, {25.0, 81.0}, {0.0, 0.0}));
+  for (const auto& [values, uncertainty] :
+       std::vector<std::pair<Values, Values>>{{{25.0}, {0.1, 0.1}},
+                                              {{25.0, 81.0}, {0.1}},
+                                              {{25.0, std::nan("")}, {0.1, 0.1}},
+                                              {{25.0, 81.0}, {0.1, -0.1}},
+                                              {{25.0, 81.0}, {0.1, infinite}}})
+    EXPECT_THROW((void)comparison::diagnose(model_results, values, uncertainty), std::invalid_argument);
+  // And names nobody where the truth is not known.
+  model_results.reference_uncertainty = infinite;
   const Diagnosis diagnosis = diagnosed(model_results, model_results.reference);
   EXPECT_EQ(diagnosis.finding, Finding::undecided);
   EXPECT_TRUE(diagnosis.named.empty());
 }
 
-TEST(Diagnosis, RefusesWhatItCannotCompare) {
-  const ModelResults model_results =
-      comparison::model_results(paper_case(0.5), Quantity::stick_frequency, {1.0, 2.0});
-  const auto refuses = [&](const Values& values, const Values& uncertainty) {
-    EXPECT_THROW((void)comparison::diagnose(model_results, values, uncertainty), std::invalid_argument);
-  };
-  refuses({25.0}, {0.1, 0.1});
-  refuses({25.0, 81.0}, {0.1});
-  refuses({25.0, std::nan("")}, {0.1, 0.1});
-  refuses({25.0, 81.0}, {0.1, -0.1});
-  refuses({25.0, 81.0}, {0.1, std::numeric_limits<double>::infinity()});
-  EXPECT_NO_THROW((void)comparison::diagnose(model_results, {25.0, 81.0}, {0.0, 0.0}));
-}
-
 STICKSLIP_VERIFIES(ReferenceResultsOf, "X17");
-TEST(ReferenceResultsOf, RefusesAnAbscissaThatTheQuantityDoesNotHave) {
+TEST(ReferenceResultsOf, RefusesAnAbscissaItDoesNotHave) {
   const data::Case problem = paper_case(0.05);
-  const auto refuses = [&](Quantity quantity, const Values& abscissa) {
-    EXPECT_THROW((void)comparison::model_results(problem, quantity, abscissa), std::invalid_argument)
+  const auto is_refused = [](const data::Case& refused, Quantity quantity, const Values& abscissa) {
+    EXPECT_THROW((void)comparison::model_results(refused, quantity, abscissa), std::invalid_argument)
         << comparison::name_of(quantity);
   };
-  refuses(Quantity::stick_frequency, {});
-  refuses(Quantity::stick_frequency, {0.0});
-  refuses(Quantity::slip_frequency, {1.5});
-  refuses(Quantity::participation, {1001.0});
-  EXPECT_NO_THROW((void)comparison::reference_result(problem, Quantity::participation, {1000.0}));
-  refuses(Quantity::quasi_static_shape, {2.1});
-  refuses(Quantity::force_maximum, {0.0});
-  refuses(Quantity::stick_force, {-1e-3});
-  refuses(Quantity::contact_event, {1.0});            // sticks for that long
-  refuses(Quantity::tip_displacement, {0.01, 0.02});  // and does not move
+  for (const auto& [quantity, abscissa] :
+       std::vector<std::pair<Quantity, Values>>{{stick_frequency, {}},
+                                                {stick_frequency, {0.0}},
+                                                {slip_frequency, {1.5}},
+                                                {participation, {1001.0}},
+                                                {quasi_static_shape, {2.1}},
+                                                {force_maximum, {0.0}},
+                                                {stick_force, {-1e-3}},
+                                                {contact_event, {1.0}},             // sticks for that long
+                                                {tip_displacement, {0.01, 0.02}}})  // and does not move
+    is_refused(problem, quantity, abscissa);
+  EXPECT_NO_THROW((void)comparison::reference_result(problem, participation, {1000.0}));
+  // The held motion of a damped beam has no closed form here.
+  is_refused(with_damping(problem, {.ratio = 0.01}), stick_force, {0.01});
 }
 
 TEST(ReferenceResultsOf, AreUncertainByARunOnHalfTheElements) {
-  const data::Case problem = case_for("paper", Quantity::tip_displacement);
+  const data::Case problem = case_for("paper", tip_displacement);
   const Values times = steps_to(0.1, 20);
-  for (const auto& [elements, coarser] : {std::pair{1, 1}, {2, 1}, {3, 1}, {4, 2}}) {
+  for (const auto& [elements, coarser] : {std::pair{1, 1}, {3, 1}, {4, 2}}) {
     const ModelResults results =
-        comparison::model_results(with_numerics(problem, elements, 1e-4), Quantity::tip_displacement, times);
-    const Values coarse = comparison::reference_result(with_numerics(problem, coarser, 2e-4),
-                                                       Quantity::tip_displacement, times);
-    EXPECT_GT(results.reference_uncertainty, 0.0) << elements;
-    EXPECT_EQ(results.reference_uncertainty, distance(results, results.reference, coarse)) << elements;
+        comparison::model_results(with_numerics(problem, elements, 1e-4), tip_displacement, times);
+    const Values coarse =
+        comparison::reference_result(with_numerics(problem, coarser, 2e-4), tip_displacement, times);
+    EXPECT_EQ(results.reference_uncertainty,
+              comparison::distance(results.norm, results.reference, results.reference, coarse))
+        << elements;
   }
 }
 
-// Where no node is, too: on 15 elements as on 16, up to the error of both.
-TEST(ReferenceResultsOf, AreTakenInTheMiddleOfTheBeam) {
-  const data::Case problem = case_for("damped", Quantity::steady_amplitude);
+// The middle of the beam, where no node is, too: on 15 elements as on 16, up to the error of both; and both
+// implementations.
+TEST(ReferenceResultsOf, AreThoseOfMeshAndClosedForm) {
+  const data::Case steady = case_for("damped", steady_amplitude);
   const auto on = [&](int elements) {
-    return comparison::reference_result(with_numerics(problem, elements, 1e-4), Quantity::steady_amplitude,
-                                        {35.0})[0];
+    return comparison::reference_result(with_numerics(steady, elements, 1e-4), steady_amplitude, {35.0})[0];
   };
-  EXPECT_NEAR(on(15) / on(16), 1.0, 1e-3);
-}
-
-TEST(ReferenceResultsOf, HasTheTruthOfBothImplementations) {
-  const data::Case held = case_for("strip", Quantity::critical_amplitude);
-  const data::HarmonicExcitation at_35({.frequency_hz = 35.0, .amplitude = 1.0});
-  const auto criterion = analytic::evaluate_criterion(
-      held.beam, held.friction, at_35, held.numerics.duration(), 60, analytic::SteadyPart::exact);
-  const double critical = criterion.critical_amplitude.midpoint();
+  EXPECT_TRUE(within(on(15) / on(16), 1.0, discretisation(1e-4, 1.0, "(beta l)^4/720 of mode 2, 1.2-fold")));
+  const data::Case held = case_for("strip", critical_amplitude);
+  const double critical =
+      analytic::evaluate_criterion(held.beam, held.friction, shaking(35.0, 1.0), held.numerics.duration(), 60,
+                                   analytic::SteadyPart::exact)
+          .critical_amplitude.midpoint();
   // The bounds of |f|_max are asked for to 1e-6.
-  EXPECT_TRUE(within(comparison::reference_result(held, Quantity::critical_amplitude, {35.0})[0], critical,
+  EXPECT_TRUE(within(comparison::reference_result(held, critical_amplitude, {35.0})[0], critical,
                      discretisation(1e-6 * critical, 1.0, "width of the bounds")));
-
-  const data::Case sliding = case_for("strip", Quantity::contact_event);
+  const data::Case sliding = case_for("strip", contact_event);
   const double first = solver::first_slip(sliding).value();
-  EXPECT_TRUE(within(comparison::reference_result(sliding, Quantity::contact_event, {1.0})[0], first,
+  EXPECT_TRUE(within(comparison::reference_result(sliding, contact_event, {1.0})[0], first,
                      round_off(1e4, 10.0, first)));
 }
 
-TEST(ReferenceResultsOf, RefusesTheHeldMotionOfADampedBeam) {
-  data::Case problem = paper_case(0.05);
-  problem.damping = data::Damping({.ratio = 0.01});
-  EXPECT_THROW((void)comparison::model_results(problem, Quantity::stick_force, {0.01}),
-               std::invalid_argument);
-  EXPECT_NO_THROW((void)comparison::model_results(problem, Quantity::stick_frequency, {1.0}));
-}
-
 }  // namespace
-}  // namespace stickslip::testing
+}  // namespace stickslip::testing::wrong_models
