@@ -8,6 +8,7 @@
 #include <random>
 
 #include "stickslip/data/input_error.hpp"
+#include "support/input_folder.hpp"
 #include "support/testing.hpp"
 #include "validation/models.hpp"
 
@@ -16,12 +17,6 @@ namespace {
 
 using validation::Figure;
 using validation::Record;
-
-std::filesystem::path written(const std::string& name, const std::string& bytes) {
-  const auto file = std::filesystem::path(::testing::TempDir()) / name;
-  std::ofstream(file, std::ios::binary) << bytes;
-  return file;
-}
 
 template <class Number>
 std::string bytes_of(const std::vector<Number>& numbers) {
@@ -57,41 +52,48 @@ std::string compressed(const std::string& data) {
 
 std::string mat_header() { return "MATLAB 5.0 MAT-file" + std::string(105, ' ') + std::string("\0\1IM", 4); }
 
+class MeasuredRecords : public ::testing::Test {
+ protected:
+  [[nodiscard]] std::filesystem::path file(const std::string& bytes) const {
+    return folder_.write("a", bytes);
+  }
+
+  const InputFolder folder_;
+};
+
 STICKSLIP_VERIFIES(MeasuredRecords, "K1");
-TEST(MeasuredRecords, MatFileWithAndWithoutCompression) {
+TEST_F(MeasuredRecords, MatFileWithAndWithoutCompression) {
   const std::vector<double> t{0.0, 0.5, 1.0}, x{0.25, -1e-300, 3e7};
   const auto arrays =
-      validation::read_mat(written("a.mat", mat_header() + compressed(array("t", t)) + array("Fnorm", x)));
+      validation::read_mat(file(mat_header() + compressed(array("t", t)) + array("Fnorm", x)));
   EXPECT_EQ(arrays.at("t"), t);
   EXPECT_EQ(arrays.at("Fnorm"), x);
 }
 
-TEST(MeasuredRecords, DamagedMatFilesAreRefused) {
+TEST_F(MeasuredRecords, DamagedFilesAreRefused) {
   const std::string whole = mat_header() + compressed(array("t", {1.0, 2.0, 3.0}));
-  EXPECT_THROW((void)validation::read_mat(written("b.mat", whole.substr(0, whole.size() - 4))),
-               data::InputError);
-  EXPECT_THROW((void)validation::read_mat(written("c.mat", mat_header() + array("t", {1.0}).substr(0, 60))),
-               data::InputError);
-  EXPECT_THROW((void)validation::read_mat(written("d.mat", "MATLAB 7.3")), data::InputError);
-  EXPECT_THROW((void)validation::read_slider_record(written("e.mat", whole)), data::InputError);  // no force
+  for (const std::string& bytes : {whole.substr(0, whole.size() - 4),
+                                   mat_header() + array("t", {1.0}).substr(0, 60), std::string("MATLAB 7.3")})
+    EXPECT_THROW((void)validation::read_mat(file(bytes)), data::InputError);
+  EXPECT_THROW((void)validation::read_slider_record(file(whole)), data::InputError);  // no force
+  EXPECT_THROW((void)validation::read_damper_record(file(R"({"data": [[0, "x", 1]]})")), data::InputError);
+  EXPECT_THROW((void)validation::read_spectrum(file("X_Value\tlevel\n1 2\n0 3\n")), data::InputError);
 }
 
-TEST(MeasuredRecords, DamperFileInInchesAndKips) {
-  const auto file = std::filesystem::path(::testing::TempDir()) / "f.json.gz";
+TEST_F(MeasuredRecords, DamperFileInInchesAndKips) {
+  const auto packed = folder_.path() / "f.json.gz";
   const std::string text = R"({"data": [[0, 1, 2, 0, 0, 0], [0.5, -1, 0.001, 0, 0, 0]]})";
-  const gzFile stream = ::gzopen(file.c_str(), "wb");
+  const gzFile stream = ::gzopen(packed.c_str(), "wb");
   ::gzwrite(stream, text.data(), static_cast<unsigned>(text.size()));
   ::gzclose(stream);
-  const Record record = validation::read_damper_record(file);
+  const Record record = validation::read_damper_record(packed);
   EXPECT_EQ(record.time, (std::vector{0.0, 0.5}));
   EXPECT_DOUBLE_EQ(record.displacement[1], -0.0254);
-  EXPECT_NEAR(record.force[0], 8896.44323, 1e-5);
-  EXPECT_THROW((void)validation::read_damper_record(written("g.json", R"({"data": [[0, "x", 1]]})")),
-               data::InputError);
+  EXPECT_NEAR(record.force[0], 2000.0 * 0.45359237 * 9.80665, 1e-5);  // two kips
 }
 
 // Four resonances in noise, and a line of the mains that is higher than one of them.
-TEST(MeasuredRecords, SpectrumOfAStrip) {
+TEST_F(MeasuredRecords, SpectrumOfAStrip) {
   const auto exact = validation::strip_frequencies({.modulus = 180e9});
   std::mt19937 random(1);
   std::string text = "LabVIEW Measurement\nX_Dimension\tTime\nDelta_X\t0.1\nX_Value\tlevel\tComment\n";
@@ -101,13 +103,11 @@ TEST(MeasuredRecords, SpectrumOfAStrip) {
     for (const auto& [quantity, hz] : exact) level += 1e-3 / std::hypot(1.0 - f / hz, 1e-3);
     text += std::to_string(f) + "\t" + std::to_string(20.0 * std::log10(level)) + "\n";
   }
-  const auto figures = validation::read_strip(validation::read_spectrum(written("s.lvm", text)));
+  const auto figures = validation::read_strip(validation::read_spectrum(file(text)));
   for (const auto& [quantity, hz] : exact) {
     EXPECT_NEAR(figures.at(quantity).value, hz, 0.0501) << quantity;
     EXPECT_NEAR(figures.at(quantity).uncertainty, 0.1 / std::sqrt(12.0), 1e-9);
   }
-  EXPECT_THROW((void)validation::read_spectrum(written("t.lvm", "X_Value\tlevel\n1 2\n0 3\n")),
-               data::InputError);
 }
 
 struct SliderMotion {
