@@ -2,9 +2,6 @@
 /// Full disks, folders that cannot be written, pipes that close, programs that are missing, signals and runs
 /// that diverge: a clear sentence, the right exit status, and no file that is not whole.
 
-#include <signal.h>
-#include <chrono>
-
 #include "support/signalled_run.hpp"
 #include "support/testing.hpp"
 
@@ -21,43 +18,77 @@ void expect_failure(const Outcome& outcome, int status, const std::string& name,
   EXPECT_TRUE(holds(outcome.errors, reason));
 }
 
+// A command in a shell, and what its one sentence says.
+struct Failure {
+  std::string before, arguments, name, reason;
+  int status = 2;
+  std::vector<std::string> left{};  // files that are new
+};
+
 class Fault : public SignalledRun {
  protected:
   static inline const std::string history =
       "respond paper --hz 25 --amplitude 1e-3 --duration 0.3";  // 400 kB
 };
 
+// A limit of 4 kB for each file stands for the disk. A folder below a file can be written by nobody, root included. What would take
+// hours ends at once.
+const std::string full = "ulimit -f 4;", no_tools = "PATH=nothing", too_large = "File too large",
+                  obstacle = "Not a directory", endless = "respond --duration 1e5 --output ",
+                  no_gnuplot = "gnuplot is not installed or not on the search path";
+const std::vector<Failure> failures{
+    {full, "respond paper --duration 0.3 --output old.csv", "old.csv", too_large},
+    {full,
+     "map paper --x frequency=1:50:50 --y amplitude=1e-4:1e-3:5 --output map.csv",
+     "map.csv",
+     too_large,
+     2,
+     {"map.csv.partial"}},  // what is finished, for the next run
+    {full, "reference export stick-history --output table.csv", "table.csv", too_large},
+    {full, "report --quiet --only fig2 --output new", "friction_curve.json", too_large},
+    {full, "animate --duration 0.1 --frames 5 --output new", "motion.csv", too_large},
+    {"", endless + "old.csv/new", "old.csv", obstacle},
+    {"", endless + "new.csv --events old.csv/new", "old.csv", obstacle},
+    {"", "map --method fe --x frequency=1:9:2000 --y length=1:2:2000 --output old.csv/new", "old.csv",
+     obstacle},
+    {"", "animate --duration 1e5 --frames 5 --output old.csv/new", "old.csv", obstacle},
+    {"", "report --output old.csv/new", "old.csv", obstacle},
+    {"", "reference export stick-frequencies --output old.csv/new", "old.csv", obstacle},
+    {no_tools, endless + "new.csv --figure new.png", "stickslip", no_gnuplot, 1},
+    {no_tools, "criterion --figure new.png", "stickslip", no_gnuplot, 1},
+    {no_tools, "compare stick-frequencies old.csv --json new.json --figure new.png", "stickslip", no_gnuplot,
+     1},
+    {no_tools, "animate --duration 1e5 --frames 5 --output new", "stickslip", no_gnuplot, 1},
+    {no_tools,
+     "report --quiet --only fig2 --output new",
+     "/new",
+     no_gnuplot,
+     1,
+     {"new/fig2-values.csv", "new/fig2.csv", "new/studies/friction_curve.json"}},
+    {"TMPDIR=/nowhere", "criterion --figure new.png", "the temporary folder /nowhere/", "No such file", 1},
+    {"", "respond --hz 25 --amplitude 1e-3 --set friction.decay=1e4 --output old.csv", "at t = 0.05",
+     "the friction law", 1}};
+
 STICKSLIP_VERIFIES(Fault, "U12");
-// A limit of 4 kB for each file stands for the disk.
-TEST_F(Fault, DiskThatIsFullIsNamedAndLeavesTheOldFiles) {
-  const auto limited = [&](const std::string& arguments) {
-    return shell("ulimit -f 4; '" STICKSLIP_PROGRAM "' " + arguments);
-  };
+TEST_F(Fault, IsNamedAndLeavesTheOldFiles) {
   std::ofstream("old.csv") << "old";
-  expect_failure(limited(history + " --output old.csv"), 2, "old.csv", "File too large");
-  EXPECT_EQ(contents("old.csv"), "old");
-  expect_failure(limited("map paper --x frequency=1:50:50 --y amplitude=1e-4:1e-3:5 --output map.csv"), 2,
-                 "map.csv", "File too large");
-  expect_failure(limited("reference export stick-history --output table.csv"), 2, "table.csv",
-                 "File too large");
-  // What the map has finished is kept for the next run.
-  EXPECT_EQ(all_files("."), (std::vector<std::string>{"map.csv.partial", "old.csv", "stderr", "stdout"}));
-  expect_failure(limited("report --quiet --only fig2 --output report"), 2, "friction_curve.json",
-                 "File too large");
-  expect_failure(limited("animate --duration 0.1 --frames 5 --output film"), 2, "motion.csv",
-                 "File too large");
-  EXPECT_EQ(all_files("report"), std::vector<std::string>{});
-  EXPECT_EQ(all_files("film"), std::vector<std::string>{});
+  for (const auto& [before, arguments, name, reason, status, left] : failures) {
+    SCOPED_TRACE(before + " " + arguments);
+    expect_failure(shell(before + " '" STICKSLIP_PROGRAM "' " + arguments), status, name, reason);
+    std::vector<std::string> files{"old.csv", "stderr", "stdout"};
+    files.insert(files.begin(), left.begin(), left.end());
+    EXPECT_EQ(all_files("."), files);
+    EXPECT_EQ(contents("old.csv"), "old");
+    for (const std::string& file : left) fs::remove(file);
+  }
 }
 
 TEST_F(Fault, StandardOutputThatIsFullIsNamed) {
-  for (const std::string& arguments :
-       std::vector<std::string>{"criterion --hz 10", "modes --count 1", "cases", "reference list",
-                                "reference export stick-frequencies", "--help", "respond --duration 0.01",
-                                "map --x frequency=1:9:3 --y amplitude=1e-4:1e-3:2"}) {
-    const Outcome outcome = shell("'" STICKSLIP_PROGRAM "' " + arguments + " >/dev/full");
-    expect_failure(outcome, 2, "standard output", "cannot be written");
-  }
+  for (const std::string arguments :
+       {"criterion --hz 10", "modes --count 1", "cases", "reference list",
+        "reference export stick-frequencies", "--help", "respond --duration 0.01",
+        "map --x frequency=1:9:3 --y amplitude=1e-4:1e-3:2"})
+    expect_failure(run(arguments + " >/dev/full"), 2, "standard output", "cannot be written");
 }
 
 TEST_F(Fault, StandardErrorThatIsFullOrClosedChangesNothing) {
@@ -94,20 +125,6 @@ TEST_F(Fault, StandardInputThatIsClosedIsNoFault) {
   EXPECT_TRUE(holds(contents("table.csv"), "mode,"));
 }
 
-// A folder below a file can be written by nobody, root included.
-TEST_F(Fault, FolderThatCannotBeWrittenIsNamedAtOnce) {
-  std::ofstream("obstacle") << "in the way";
-  for (const std::string& command : std::vector<std::string>{
-           "respond --duration 1e5 --output ", "respond --duration 1e5 --output new.csv --events ",
-           "map --method fe --x frequency=1:9:2000 --y length=1:2:2000 --output ",
-           "animate --duration 1e5 --frames 5 --output ", "report --output ",
-           "reference export stick-frequencies --output "}) {
-    const Outcome outcome = run(command + "obstacle/below");
-    expect_failure(outcome, 2, "obstacle", "Not a directory");
-  }
-  EXPECT_EQ(all_files("."), (std::vector<std::string>{"obstacle", "stderr", "stdout"}));
-}
-
 // As any other tool: the shell sees 141, a person nothing.
 TEST_F(Fault, PipeThatClosesEndsTheProgramWithoutAWord) {
   const Outcome outcome = shell("{ '" STICKSLIP_PROGRAM "' " + history + "; echo $? >status; } | head -n 1");
@@ -116,146 +133,89 @@ TEST_F(Fault, PipeThatClosesEndsTheProgramWithoutAWord) {
   EXPECT_TRUE(outcome.output.starts_with("# Motion of the tip")) << outcome.output;
 }
 
-TEST_F(Fault, ProgramThatIsMissingCostsWhatItDrawsAlone) {
-  const auto without_tools = [&](const std::string& arguments) {
-    return shell("PATH=nothing '" STICKSLIP_PROGRAM "' " + arguments);
-  };
-  expect_failure(without_tools("report --quiet --only fig2 --output drawings"), 1, path("drawings"),
-                 "gnuplot is not installed or not on the search path");
-  EXPECT_EQ(all_files("drawings"),
-            (std::vector<std::string>{"fig2-values.csv", "fig2.csv", "studies/friction_curve.json"}));
-}
-
-// At once: the histories would take hours.
-TEST_F(Fault, GnuplotThatIsMissingIsToldBeforeTheWork) {
-  ASSERT_EQ(run("reference export stick-frequencies --output mine.csv").status, 0);
-  for (const std::string& command : std::vector<std::string>{
-           "respond --duration 1e5 --output out.csv --figure out.png", "criterion --figure out.png",
-           "compare stick-frequencies mine.csv --json out.json --figure out.png",
-           "animate --duration 1e5 --frames 5 --output out"})
-    expect_failure(shell("PATH=nothing '" STICKSLIP_PROGRAM "' " + command), 1, "gnuplot",
-                   "is not installed or not on the search path");
-  EXPECT_EQ(all_files("."), (std::vector<std::string>{"mine.csv", "stderr", "stdout"}));
-  expect_failure(shell("TMPDIR=/nowhere '" STICKSLIP_PROGRAM "' criterion --figure out.png"), 1,
-                 "the temporary folder /nowhere/stickslip-", "No such file or directory");
-}
-
-TEST_F(Fault, CtrlCEndsLongWorkAtOnceAndSaysHowFarItCame) {
-  struct Work {
-    std::string arguments, beginning, end;
-  };
-  const std::string output = " --output history.csv",
+// The sentence behind the bar, which is erased.
+TEST_F(Fault, CtrlCEndsLongWorkAndSaysHowFarItCame) {
+  const std::string output = " --output history.csv", kept = " of the work; nothing is kept",
                     others = " --events events.csv --spectrum spectrum.csv --figure history.png";
-  for (const auto& [arguments, beginning, end] : std::vector<Work>{
-           {"respond --duration 1e5 --every 200" + output + others, "interrupted at ",
-            " s of 1e+05 s; nothing is kept\n"},
-           {"respond --method event-driven --duration 300" + output, "interrupted at ",
-            " s of 300 s; nothing is kept\n"},
-           {"respond --duration 1e5", "interrupted at ",
-            "standard output holds the history up to there at most\n"},
-           {"map --method fe --set damping.kelvin_voigt=1e-5 --duration 1e4 --x length=1:2:2" + output,
-            "interrupted; no evaluation is kept", "\n"},
-           {"criterion --set excitation.duration=2e4 --figure curve.png",
-            "interrupted before there was a result", "\n"},
-           {"periodic reed --settle 100000", "interrupted after 0 ", "% of the work; nothing is kept\n"},
-           {"squeal reed --settle 100000 --map map.csv --speeds 0.1:1 --ratios 0.01:0.02 --figure map.png",
-            "interrupted after 0 ", "% of the work; nothing is kept\n"},
-           {"sweep --settle 1000000" + output + " --figure sweep.png", "interrupted after 0 ",
-            "% of the work; nothing is kept\n"},
-           {"design paper --band 1:100 --duration 1e4", "interrupted after ",
-            " % of the work; nothing is kept\n"},
-           {"report --only fig12 --output out", "interrupted after ",
-            " % of the report; what is finished is in " + path("out") + "\n"},
-           {"uncertainty --samples 100000000", "interrupted after ", " % of the work; nothing is kept\n"}}) {
-    const Ending ending = signalled(arguments, SIGINT, std::chrono::milliseconds(150));
-    EXPECT_EQ(ending.status, 130) << arguments;
-    EXPECT_LT(ending.seconds, 1.0) << arguments;
-    EXPECT_TRUE(ending.errors.starts_with("stickslip: " + beginning)) << ending.errors;
-    EXPECT_TRUE(ending.errors.ends_with(end)) << ending.errors;
-    EXPECT_EQ(std::ranges::count(ending.errors, '\n'), 1) << ending.errors;
+  for (const auto& [arguments, beginning, end] : std::vector<std::array<std::string, 3>>{
+           {"respond --duration 1e5 --every 200" + output + others, "at ", " s of 1e+05 s; nothing is kept"},
+           {"respond --method event-driven --duration 300" + output, "at ", " s of 300 s; nothing is kept"},
+           {"respond --duration 1e5 >stdout", "at ", "standard output holds the history up to there at most"},
+           {"map --method fe --duration 3 --x frequency=10:50:9 --y length=1:2:10 --output /dev/null", "",
+            "; no evaluation is kept"},
+           {"periodic reed --settle 100000", "after 0 %", kept},
+           {"squeal reed --settle 100000 --map map.csv --speeds 0.1:1 --ratios 0.01:0.02", "after 0 %", kept},
+           {"sweep --settle 5000" + output + " --figure sweep.png", "after ", kept},
+           {"design paper --band 1:100 --duration 1e4", "after ", kept},
+           {"report --only fig12 --output out", "after ",
+            " of the report; what is finished is in " + path("out")},
+           {"uncertainty --samples 100000000", "after ", kept}}) {
+    const auto ended = on_terminal(arguments, " %");
+    if (!ended) GTEST_SKIP() << "the system gives no pseudo-terminal";
+    EXPECT_EQ(ended->status, 130) << arguments;
+    const std::size_t sentence = ended->output.find("\r\033[Kstickslip: interrupted");
+    ASSERT_NE(sentence, std::string::npos) << ended->output;
+    const std::string said = ended->output.substr(sentence);
+    EXPECT_EQ(std::ranges::count(said, '\n'), 1) << said;
+    EXPECT_TRUE(said.find(beginning) != std::string::npos && said.ends_with(end + "\r\n")) << said;
   }
-  EXPECT_EQ(all_files("."), (std::vector<std::string>{"stderr", "stdout"}));
-}
-
-TEST_F(Fault, RunThatFailsSaysWhenAndLeavesTheOldFile) {
-  std::ofstream("old.csv") << "old";
-  const Outcome outcome =
-      run("respond --duration 0.1 --hz 25 --amplitude 1e-3 --set friction.decay=1e4 --output old.csv");
-  expect_failure(outcome, 1, "at t = 0.0552467 s", "the friction law falls faster than a step can follow");
-  EXPECT_EQ(contents("old.csv"), "old");
-  EXPECT_EQ(all_files("."), (std::vector<std::string>{"old.csv", "stderr", "stdout"}));
+  fs::remove("stdout");
+  EXPECT_EQ(all_files("."), std::vector<std::string>{});
 }
 
 STICKSLIP_VERIFIES(KilledRun, "U12");
-TEST_F(KilledRun, OfRespondLeavesOnlyWhatIsWhole) {
-  kill(8,
-       "respond paper --hz 25 --amplitude 1e-3 --duration 0.3 --output out/history.csv --events "
-       "out/events.csv",
-       {"history.csv", "events.csv"});
+TEST_F(KilledRun, LeavesOnlyWhatIsWhole) {
+  kill("respond --hz 25 --amplitude 1e-3 --duration 0.01 --output out/history.csv --events out/events.csv",
+       {"events.csv", "history.csv"});
 }
 
-// --- Ctrl-C while a figure is drawn: the end within a second, one sentence about what is there, no file that is not whole, and no other program left behind.
+// A figure that is drawn when a signal comes, to all that works, as on a terminal, or to the program alone: one sentence about what is
+// there, which is what a gnuplot that fails leaves, and no other program left behind.
+struct Drawn {
+  std::string arguments, sentence;
+  std::vector<std::string> left;
+};
 
-class Interrupted : public SleepingTool {};
+class Interrupted : public SignalledRun {};
 
 STICKSLIP_VERIFIES(Interrupted, "U12");
-TEST_F(Interrupted, ReportThatIsDrawnKeepsItsTables) {
-  install_sleeper("gnuplot");
-  EXPECT_EQ(said_after(SIGINT, "report --only fig2 --output out/"),
-            "interrupted after 33 % of the report; what is finished is in " + path("out") + "\n");
-  EXPECT_EQ(all_files("out/"),
-            (std::vector<std::string>{"fig2-values.csv", "fig2.csv", "studies/friction_curve.json"}));
-}
-
-TEST_F(Interrupted, AnimationThatIsDrawnKeepsTheMotion) {
-  install_sleeper("gnuplot");
-  EXPECT_EQ(said_after(SIGTERM, "animate --duration 0.1 --frames 5 --output out/"),
-            "interrupted after 0 % of the frames, none of which is kept; the motion is in " +
-                path("out/motion.csv") + "\n");
-  EXPECT_EQ(all_files("out/"), std::vector<std::string>{"motion.csv"});
-}
-
-TEST_F(Interrupted, ComparisonThatIsDrawnSaysWhatIsWritten) {
-  install_sleeper("gnuplot");
+TEST_F(Interrupted, DrawingLeavesWhatIsWritten) {
+  const std::string map = "map paper --x frequency=1:9:3 --y amplitude=1e-4:1e-3:2 ",
+                    files = "--output out/map.csv --figure out/map.png",
+                    written = "interrupted; nothing is written but ";
   ASSERT_EQ(run("reference export stick-frequencies --output mine.csv").status, 0);
-  fs::create_directory("out/");
-  const std::string compare =
-      "compare stick-frequencies mine.csv --figure out/verdict.png --json out/verdict.json ";
-  EXPECT_EQ(said_after(SIGINT, compare),
-            "interrupted; nothing is written but standard output and out/verdict.json\n");
-  EXPECT_TRUE(holds(contents("stdout"), "frequency"));
-  EXPECT_TRUE(nlohmann::json::accept(contents("out/verdict.json")));
-  EXPECT_EQ(all_files("out/"), std::vector<std::string>{"verdict.json"});
-}
-
-TEST_F(Interrupted, MapThatIsDrawnIsWritten) {
-  install_sleeper("gnuplot");
-  fs::create_directory("out/");
-  const std::string files = "--output out/map.csv --figure out/map.png";
-  const std::string map = "map paper --x frequency=1:9:3 --y amplitude=1e-4:1e-3:2 ";
-  const std::string is_written = "interrupted; nothing is written but out/map.csv\n";
-  EXPECT_EQ(said_after(SIGINT, map + files), is_written);
-  const std::string whole = contents("out/map.csv");
-  EXPECT_EQ(whole, run(map).output);
-  EXPECT_EQ(all_files("out/"), std::vector<std::string>{"map.csv"});
-
   ASSERT_EQ(run(map + "--shard 1/1 --output shard").status, 0);
-  fs::remove("out/map.csv");
-  EXPECT_EQ(said_after(SIGINT, "map --merge shard " + files), is_written);
-  EXPECT_EQ(contents("out/map.csv"), whole);
-  EXPECT_EQ(all_files("out/"), std::vector<std::string>{"map.csv"});
-}
-
-// By the end of a session, a scheduler or Ctrl-C, which reach this program alone where it has no terminal.
-TEST_F(Interrupted, HistoryThatIsDrawnIsWrittenAndEndsGnuplot) {
-  install_tool("gnuplot", "echo $$ >" + path("unfinished") + "; mv " + path("unfinished") + " " +
-                              path("processes") + "; exec sleep 120\n");
-  fs::create_directory("out/");
-  const std::string files = "--events out/events.csv --output out/history.csv --figure out/history.png";
-  for (const int signal : {SIGHUP, SIGTERM, SIGINT}) {
-    EXPECT_EQ(said_after(signal, "respond --duration 0.1 " + files, true),
-              "interrupted; nothing is written but out/history.csv and out/events.csv\n");
-    EXPECT_EQ(all_files("out/"), (std::vector<std::string>{"events.csv", "history.csv"}));
+  for (const auto& [arguments, sentence, left] : std::vector<Drawn>{
+           {"criterion --figure out/curve.png", "interrupted before there was a result", {}},
+           {"report --only fig2 --output out",
+            "interrupted after 33 % of the report; what is finished is in " + path("out"),
+            {"fig2-values.csv", "fig2.csv", "studies/friction_curve.json"}},
+           {"animate --duration 0.1 --frames 5 --output out",
+            "interrupted after 0 % of the frames, none of which is kept; the motion is in " +
+                path("out/motion.csv"),
+            {"motion.csv"}},
+           {"compare stick-frequencies mine.csv --figure out/verdict.png --json out/verdict.json",
+            written + "standard output and out/verdict.json",
+            {"verdict.json"}},
+           {map + files, written + "out/map.csv", {"map.csv"}},
+           {"map --merge shard " + files, written + "out/map.csv", {"map.csv"}},
+           {"respond --duration 0.1 --events out/events.csv --output out/history.csv --figure "
+            "out/history.png",
+            written + "out/history.csv and out/events.csv",
+            {"events.csv", "history.csv"}}}) {
+    SCOPED_TRACE(arguments);
+    fs::remove_all("out");
+    fs::create_directory("out");
+    install_tool("gnuplot", "exit 1\n");
+    EXPECT_EQ(run(arguments).status, 1);
+    const Contents whole = contents_of("out");
+    for (const int signal : {SIGHUP, SIGINT, SIGTERM}) {
+      fs::remove_all("out");
+      fs::create_directory("out");
+      EXPECT_EQ(said_after(signal, signal != SIGINT, "gnuplot", arguments), sentence + "\n");
+      EXPECT_EQ(all_files("out"), left);
+      EXPECT_TRUE(contents_of("out") == whole);
+    }
   }
 }
 

@@ -1,29 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// The command line, ended by a signal while it works.
+/// The command line, ended by a signal while it works: by Ctrl-C on a terminal, by a tool that it runs, or before a system call.
+/// Each moment is one of the work, none of a clock.
 
 #include <pty.h>
 #include <signal.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <time.h>
-#include <unistd.h>
-
-#include <algorithm>
-#include <array>
-#include <chrono>
-#include <cstdlib>
-#include <filesystem>
-#include <functional>
-#include <limits>
-#include <map>
-#include <optional>
-#include <random>
-#include <sstream>
-#include <string>
-#include <thread>
-#include <vector>
+#include <sys/ptrace.h>
+#include <sys/syscall.h>
 
 #include "support/command_line.hpp"
 
@@ -31,240 +15,151 @@ namespace stickslip::testing {
 
 class SignalledRun : public Drawing {
  protected:
-  /// The outputs of a test, where they are all in one folder.
-  [[nodiscard]] static std::string out(const std::string& name = "") { return "out/" + name; }
+  using Contents = std::map<std::string, std::string>;  // of files, by name
+
+  void SetUp() override {
+    Drawing::SetUp();
+    ::signal(SIGINT, SIG_DFL);  // a shell that starts the tests in the background has them ignore Ctrl-C
+  }
 
   /// All files below a folder, those that begin with a dot as well.
+  [[nodiscard]] static Contents contents_of(const std::filesystem::path& folder) {
+    Contents files;
+    if (!std::filesystem::exists(folder)) return files;
+    for (const auto& file : std::filesystem::recursive_directory_iterator(folder))
+      if (!file.is_directory())
+        files[std::filesystem::relative(file.path(), folder).string()] = contents(file.path());
+    return files;
+  }
   [[nodiscard]] static std::vector<std::string> all_files(const std::filesystem::path& folder) {
     std::vector<std::string> names;
-    if (!std::filesystem::exists(folder)) return names;
-    for (const auto& file : std::filesystem::recursive_directory_iterator(folder))
-      if (!file.is_directory()) names.push_back(std::filesystem::relative(file.path(), folder).string());
-    std::ranges::sort(names);
+    for (const auto& [name, text] : contents_of(folder)) names.push_back(name);
     return names;
   }
 
-  struct Ending {
-    int status{};      // as a shell would give it
-    double seconds{};  // of processor time from the signal to the end, which a busy machine does not lengthen
-    std::string errors;
-  };
-
-  /// Runs the program, waits until it catches the signal, if it can, and until the moment has come, and sends the signal to it and to
-  /// all that it has started, as a terminal does, or to it alone, as `timeout` does.
-  [[nodiscard]] Ending signalled(const std::string& arguments, int signal,
-                                 const std::function<bool()>& is_time, bool alone = false) const {
-    const std::string command = std::string("exec '") + STICKSLIP_PROGRAM + "' " + arguments + " >'" +
-                                path("stdout") + "' 2>'" + path("stderr") + "'";
-    const pid_t process = ::fork();
-    if (process == 0) {
-      ::setpgid(0, 0);
-      ::signal(signal, SIG_DFL);  // a shell that starts the tests in the background has them ignore Ctrl-C
-      ::execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
-      ::_exit(127);
-    }
-    ::setpgid(process, process);  // whoever comes first
-    const auto ended = [&] { return !is_running(std::to_string(process)); };
-    wait_until([&] { return ended() || ((signal == SIGKILL || catches(process, signal)) && is_time()); });
-    EXPECT_TRUE(signal == SIGKILL || !ended()) << arguments;
-    const double before = processor_time(process);
-    ::kill(alone ? process : -process, signal);
-    int status = 0;
-    rusage usage{};
-    ::wait4(process, &status, 0, &usage);
-    const double after = seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime);
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), after - before,
-            contents(path("stderr"))};
-  }
-
-  [[nodiscard]] Ending signalled(const std::string& arguments, int signal,
-                                 std::chrono::duration<double> after) const {
-    return signalled(arguments, signal, [after] {
-      std::this_thread::sleep_for(after);
-      return true;
-    });
-  }
-
-  static double seconds_of(const timeval& t) {
-    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
-  }
-
-  /// The processor time of a running process in seconds.
-  static double processor_time(pid_t process) {
-    clockid_t clock{};
-    timespec t{};
-    EXPECT_EQ(::clock_getcpuclockid(process, &clock), 0);
-    EXPECT_EQ(::clock_gettime(clock, &t), 0);
-    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-  }
-
-  /// Whether a process is the program, no longer the shell that starts it, and has a handler of a signal.
-  static bool catches(pid_t process, int signal) {
-    std::error_code error;
-    const std::string folder = "/proc/" + std::to_string(process);
-    if (!std::filesystem::equivalent(folder + "/exe", STICKSLIP_PROGRAM, error)) return false;
-    std::istringstream status(contents(folder + "/status"));
-    for (std::string line; std::getline(status, line);)
-      if (line.starts_with("SigCgt:"))
-        return (std::stoull(line.substr(7), nullptr, 16) >> static_cast<unsigned>(signal - 1) & 1U) != 0U;
-    return false;
-  }
-
-  [[nodiscard]] static bool is_running(const std::string& process) {
-    const std::string status = contents("/proc/" + process + "/stat");
-    return !status.empty() && status.substr(status.rfind(')') + 2, 1) != "Z";
-  }
-
-  /// Waits until something is so, however long that takes on a busy machine.
-  static void wait_until(const std::function<bool()>& is_so) {
-    while (!is_so()) std::this_thread::sleep_for(std::chrono::milliseconds(2));
-  }
-
-  /// What the command says on a terminal; nothing where the system has no pseudo-terminal.
-  [[nodiscard]] static std::optional<std::string> on_terminal(const std::string& arguments) {
+  /// What the command says on a terminal, where Ctrl-C is typed once it has said `then`; nothing where the system has no
+  /// pseudo-terminal.
+  [[nodiscard]] static std::optional<Outcome> on_terminal(const std::string& arguments,
+                                                          const std::string& then = "") {
     int terminal = -1;
     const pid_t process = ::forkpty(&terminal, nullptr, nullptr, nullptr);
     if (process < 0) return std::nullopt;
-    if (process == 0) {
-      const std::string command = std::string("exec '") + STICKSLIP_PROGRAM + "' " + arguments;
-      ::execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
-      ::_exit(127);
-    }
+    if (process == 0) become(arguments);
     std::string said;
+    bool is_typed = then.empty();
     std::array<char, 4096> bytes{};
-    for (ssize_t count = 0; (count = ::read(terminal, bytes.data(), bytes.size())) > 0;)
+    for (ssize_t count = 0; (count = ::read(terminal, bytes.data(), bytes.size())) > 0;) {
       said.append(bytes.data(), static_cast<std::size_t>(count));
+      if (!is_typed && said.find(then) != std::string::npos) is_typed = ::write(terminal, "\x03", 1) == 1;
+    }
     int status = -1;
     ::waitpid(process, &status, 0);
-    EXPECT_EQ(status, 0) << said;
     ::close(terminal);
-    return said;
-  }
-};
-
-/// The command line, ended by a signal while it waits for another program.
-class SleepingTool : public SignalledRun {
- protected:
-  void SetUp() override {
-    SignalledRun::SetUp();
-    std::filesystem::create_directory(temporary_);
-    ::setenv("TMPDIR", temporary_.c_str(), 1);
-  }
-  void TearDown() override {
-    ::unsetenv("TMPDIR");
-    SignalledRun::TearDown();
+    return Outcome{shell_status(status), said, ""};
   }
 
-  /// A program that would take two minutes, most of it in a program that it starts.
-  void install_sleeper(const std::string& name) const {
-    install_tool(name, "[ \"$1\" = --version ] && exit\nparent=$$ sh -c 'echo $parent $$ >" +
-                           path("unfinished") + "; mv " + path("unfinished") + " " + path("processes") +
-                           "; exec sleep 120'\n");
+  /// Kills a command before the n-th of its system calls that change a file. Returns its status as a shell gives it: 0 where it makes
+  /// fewer.
+  [[nodiscard]] static int killed_before(int n, const std::string& arguments) {
+    const pid_t process = ::fork();
+    if (process == 0) {
+      ::setenv("ASAN_OPTIONS", "detect_leaks=0", 1);  // it would trace the process as well
+      ::ptrace(PTRACE_TRACEME);
+      become(arguments + " >/dev/null 2>&1");
+    }
+    int status = 0;
+    ::waitpid(process, &status, 0);
+    ::ptrace(PTRACE_SETOPTIONS, process, 0L, long{PTRACE_O_TRACESYSGOOD | PTRACE_O_EXITKILL});
+    for (; WIFSTOPPED(status); ::waitpid(process, &status, 0)) {
+      const int signal = WSTOPSIG(status);
+      __ptrace_syscall_info call{};
+      if (signal == (SIGTRAP | 0x80)) ::ptrace(PTRACE_GET_SYSCALL_INFO, process, sizeof call, &call);
+      if (changes_a_file(call) && --n == 0) ::kill(process, SIGKILL);
+      ::ptrace(PTRACE_SYSCALL, process, 0L, (signal & ~0x80) == SIGTRAP ? 0L : long{signal});
+    }
+    return shell_status(status);
   }
 
-  [[nodiscard]] bool sleeps() const { return std::filesystem::exists(path("processes")); }
-
-  /// Runs until the sleeper sleeps, sends the signal and returns what is said, without the program's name.
-  [[nodiscard]] std::string said_after(int signal, const std::string& arguments, bool alone = false) const {
-    const Ending ending = signalled(
-        arguments, signal, [&] { return sleeps(); }, alone);
-    EXPECT_EQ(ending.status, 128 + signal) << arguments;
-    std::istringstream processes(contents(path("processes")));
-    for (std::string process; processes >> process;) wait_until([&] { return !is_running(process); });
-    std::filesystem::remove(path("processes"));
-    EXPECT_EQ(all_files(temporary_), std::vector<std::string>{}) << arguments;
-    return one_sentence(ending);
-  }
-
-  [[nodiscard]] static std::string one_sentence(const Ending& ending) {
+  /// What a command says that is ended by a signal of a tool, without the program's name: sent to it alone, as by a scheduler, or to
+  /// all that it has started, as by a terminal. The tool would go on for a minute, and must have ended.
+  [[nodiscard]] std::string said_after(int signal, bool alone, const std::string& tool,
+                                       const std::string& arguments) const {
+    const std::string temporary = path("temporary"), sleeper = path("sleeper");
+    install_tool(tool,
+                 fmt::format("[ \"$1\" = --version ] && exit\necho $$ >'{}'\nkill -{} {}\nexec sleep 60\n",
+                             sleeper, signal, alone ? "$PPID" : "0"));
+    std::filesystem::create_directory(temporary);
+    const Outcome outcome =
+        shell(fmt::format("TMPDIR='{}' setsid --wait '{}' {}", temporary, STICKSLIP_PROGRAM, arguments));
+    EXPECT_EQ(outcome.status, 128 + signal) << outcome.errors;
+    const std::string stat = "/proc/" + std::to_string(std::stoi(contents(sleeper))) + "/stat";
+    const auto is_running = [&] {
+      const std::string state = contents(stat);
+      return !state.empty() && state.substr(state.rfind(')') + 2, 1) != "Z";
+    };
+    for (int looks = 0; looks < 1000 && is_running(); ++looks) ::usleep(10'000);
+    EXPECT_FALSE(is_running()) << tool;
+    EXPECT_EQ(all_files(temporary), std::vector<std::string>{}) << arguments;
+    for (const std::string& name : {temporary, sleeper}) std::filesystem::remove_all(name);
     const std::string name = "stickslip: ";
-    EXPECT_TRUE(ending.errors.starts_with(name)) << ending.errors;
-    EXPECT_EQ(std::ranges::count(ending.errors, '\n'), 1) << ending.errors;
-    return ending.errors.substr(std::min(name.size(), ending.errors.size()));
+    EXPECT_TRUE(outcome.errors.starts_with(name) && std::ranges::count(outcome.errors, '\n') == 1)
+        << outcome.errors;
+    return outcome.errors.substr(std::min(name.size(), outcome.errors.size()));
   }
 
  private:
-  const std::filesystem::path temporary_ = path("temporary");
+  /// Becomes the program, which an alarm ends in a minute, so that no test waits for ever.
+  [[noreturn]] static void become(const std::string& arguments) {
+    ::alarm(60);
+    ::execl("/bin/sh", "sh", "-c", ("exec '" STICKSLIP_PROGRAM "' " + arguments).c_str(), nullptr);
+    ::_exit(127);
+  }
+
+  [[nodiscard]] static int shell_status(int status) {
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  }
+
+  [[nodiscard]] static bool changes_a_file(const __ptrace_syscall_info& call) {
+    static const std::set<std::uint64_t> changing{
+        SYS_write,  SYS_ftruncate, SYS_unlinkat, SYS_mkdirat, SYS_renameat2,
+#ifdef SYS_rename
+        SYS_rename, SYS_unlink,    SYS_mkdir,    SYS_rmdir,
+#endif
+    };
+    if (call.op != PTRACE_SYSCALL_INFO_ENTRY) return false;
+    const bool creates = call.entry.nr == SYS_openat && (call.entry.args[2] & O_CREAT) != 0;
+    return creates || changing.contains(call.entry.nr);
+  }
 };
 
-/// Commands that are killed at any moment: what has a name of its own is whole each time, and the same command
-/// completes.
+/// Commands that are killed at any moment.
 class KilledRun : public SignalledRun {
  protected:
-  using Contents = std::map<std::string, std::string>;  // of files, by name
-
-  /// Kills a command `kills` times while it works, each at a random moment of the time that it takes
-  /// undisturbed, and lets it go on from what is there; once its outputs are complete it begins anew. What is
-  /// under the name of an output has the bytes of the undisturbed run, and nothing else is left in the end.
-  void kill(int kills, const std::string& command, std::vector<std::string> outputs) {
-    const double whole = seconds_of(command);
-    Contents undisturbed;
-    for (const std::string& name : outputs) {
-      undisturbed[name] = contents(out(name));
-      ASSERT_NE(undisturbed[name], "") << name;
-    }
-    std::ranges::sort(outputs);
-    EXPECT_EQ(all_files(out()), outputs);
-    ASSERT_NO_FATAL_FAILURE(kill_at_random(kills, command, undisturbed, whole));
-    const Outcome again = run(command);
-    EXPECT_EQ(again.status, 0) << again.errors;
-    for (const auto& [name, text] : undisturbed) EXPECT_TRUE(contents(out(name)) == text) << name;
-    EXPECT_EQ(all_files(out()), outputs);
-  }
-
-  /// The runs that are killed at moments up to `latest` seconds, and those that end before.
-  void kill_at_random(int kills, const std::string& command, const Contents& undisturbed, double latest) {
-    const auto is_complete = [&] {
-      return std::ranges::all_of(undisturbed,
-                                 [&](const auto& file) { return std::filesystem::exists(out(file.first)); });
+  /// Kills a command, whose outputs are in the folder out, before every `stride`-th change of a file, each time from the start. What is
+  /// there under the name of an output has the bytes of the undisturbed run, and the same command completes and leaves nothing else.
+  void kill(const std::string& command, const std::vector<std::string>& outputs, int stride = 1) const {
+    const auto run_from_nothing = [&](int n) {
+      std::filesystem::remove_all("out");
+      std::filesystem::create_directory("out");
+      return killed_before(n, command);
     };
-    std::uniform_real_distribution<double> moments(0.0, latest);
-    for (int killed = 0, runs = 0; killed < kills; ++runs) {
-      ASSERT_LT(runs, 6 * kills);
-      if (is_complete()) clear();
-      const Ending ending = signalled(command, SIGKILL, std::chrono::duration<double>(moments(generator_)));
-      if (ending.status == 128 + SIGKILL) {
-        ++killed;
-      } else {
-        ASSERT_EQ(ending.status, 0) << ending.errors;
+    ASSERT_EQ(run_from_nothing(std::numeric_limits<int>::max()), 0);
+    const Contents undisturbed = contents_of("out");
+    EXPECT_EQ(all_files("out"), outputs);
+    int n = stride;
+    for (int status = 0; (status = run_from_nothing(n)) != 0; n += stride) {
+      ASSERT_EQ(status, 128 + SIGKILL) << n;
+      for (const auto& [name, text] : contents_of("out")) {
+        const bool is_unfinished =
+            name.starts_with('.') || name.find("/.") != std::string::npos || name.ends_with(".partial");
+        ASSERT_TRUE(is_unfinished || (undisturbed.contains(name) && undisturbed.at(name) == text))
+            << name << n;
       }
-      ASSERT_NO_FATAL_FAILURE(expect_only_whole(undisturbed));
+      ASSERT_EQ(run(command).status, 0);
+      ASSERT_TRUE(contents_of("out") == undisturbed) << n;
     }
+    EXPECT_GT(n, 10);
   }
-
-  /// The files that are there have the bytes of the undisturbed run, or the name of an unfinished one.
-  void expect_only_whole(const Contents& undisturbed) const {
-    for (const std::string& name : all_files(out()))
-      EXPECT_TRUE(undisturbed.contains(name) || name.starts_with('.') ||
-                  name.find("/.") != std::string::npos || name.ends_with(".partial"))
-          << name;
-    for (const auto& [name, text] : undisturbed)
-      if (std::filesystem::exists(out(name))) {
-        ASSERT_TRUE(contents(out(name)) == text) << name;
-      }
-  }
-
-  /// What a whole run takes: the shortest of three, since other work may delay one.
-  [[nodiscard]] double seconds_of(const std::string& command) const {
-    double shortest = std::numeric_limits<double>::infinity();
-    for (int i = 0; i < 3; ++i) {
-      clear();
-      const auto begin = std::chrono::steady_clock::now();
-      const Outcome outcome = run(command);
-      const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
-      EXPECT_EQ(outcome.status, 0) << outcome.errors;
-      shortest = std::min(shortest, took.count());
-    }
-    return shortest;
-  }
-
-  void clear() const {
-    std::filesystem::remove_all(out());
-    std::filesystem::create_directory(out());
-  }
-
- private:
-  std::mt19937 generator_{1};
 };
 
 }  // namespace stickslip::testing
