@@ -54,11 +54,9 @@ const std::string valid_events = "index,change,time\n1,onset,0.15\n2,capture,0.2
 class ReferenceReader : public ::testing::Test {
  protected:
   ReferenceReader() {
-    write_history(valid_history);
+    folder_.write("history.csv", valid_history);
     folder_.write("events.csv", valid_events);
   }
-
-  void write_history(const std::string& csv) const { folder_.write("history.csv", csv); }
 
   // Writes the package with the size and the digest of these tables.
   void write_package(json package, const std::string& history = valid_history) const {
@@ -94,54 +92,28 @@ TEST_F(ReferenceReader, ReturnsWhatAPackageSays) {
   EXPECT_EQ(package.description, "For a test");
   EXPECT_EQ(package.version, "1.0.0");
   ASSERT_EQ(package.resources.size(), 2u);
-  const data::Resource& history = package.resource("history");
-  EXPECT_EQ(history.title, "A history");
-  EXPECT_EQ(history.description, "Of a tip");
-  ASSERT_EQ(history.fields.size(), 4u);
-  EXPECT_EQ(history.field("y")->unit, "m");
-  EXPECT_EQ(history.field("y")->description, "of the tip");
-  EXPECT_EQ(history.field("y")->value_class, data::ValueClass::converged);
+  const data::Resource &history = package.resource("history"), &events = package.resource("events");
+  EXPECT_EQ(history.field("z"), nullptr);
   EXPECT_FALSE(history.field("y_radius")->value_class.has_value());
-  EXPECT_EQ(history.field("phase")->type, data::FieldType::string);
-  EXPECT_TRUE(history.field("phase")->required);
   EXPECT_FALSE(history.field("y")->required);
-  EXPECT_EQ(history.field("phase")->allowed, (std::vector<std::string>{"stick", "slip"}));
-  ASSERT_EQ(history.foreign_keys.size(), 1u);
-  EXPECT_EQ(history.foreign_keys[0].column, "t");
-  EXPECT_EQ(history.foreign_keys[0].resource, "events");
-  EXPECT_EQ(history.foreign_keys[0].reference_column, "time");
-  EXPECT_EQ(json::parse(history.problem)["tip"], "friction");
   EXPECT_EQ(history.stated.beam, "paper");
   EXPECT_EQ(history.stated.tip, "friction");
   EXPECT_EQ(history.stated.numbers,
             (std::map<std::string, double>{{"duration", 0.4}, {"excitation.amplitude", 1e-3}}));
-  EXPECT_EQ(package.resource("events").problem, "");
-  EXPECT_EQ(history.field("z"), nullptr);
   EXPECT_EQ(history.primary_key, std::vector<std::string>{"t"});
-  const auto& rule = history.comparison.value();
-  EXPECT_EQ(rule.kind, data::ComparisonKind::phases);
-  ASSERT_EQ(rule.values.size(), 1u);
-  EXPECT_EQ(rule.values[0].field, "y");
-  EXPECT_EQ(rule.values[0].norm, data::Norm::scale);
-  EXPECT_EQ(rule.values[0].tolerance, 1e-3);
-  EXPECT_EQ(rule.abscissa, "t");
-  EXPECT_EQ(rule.interpolation.value().order, 3);
-  EXPECT_EQ(rule.interpolation.value().error.at("y"), 1e-9);
-  EXPECT_EQ(rule.events, "events");
-  EXPECT_EQ(rule.horizon, 0.4);
-  EXPECT_EQ(history.diagnosis.value().quantity, "tip displacement");
-  EXPECT_EQ(history.diagnosis.value().case_name, "damped");
-  EXPECT_EQ(history.diagnosis.value().case_column, "");
-  EXPECT_EQ(history.diagnosis.value().abscissa, "t");
-  EXPECT_EQ(history.diagnosis.value().value, "y");
-  EXPECT_EQ(history.provenance.value_class, data::ValueClass::converged);
-  EXPECT_EQ(history.provenance.method, "by hand");
-  EXPECT_EQ(history.provenance.settings, R"({"modes":3})");
-  EXPECT_EQ(history.provenance.software, "none");
-  EXPECT_EQ(history.provenance.checks, std::vector<std::string>{"looked at"});
-  EXPECT_EQ(package.resource("events").comparison->shortest_phase, 1e-5);
-  EXPECT_EQ(package.resource("events").primary_key, std::vector<std::string>{"index"});
-  EXPECT_FALSE(package.resource("events").diagnosis.has_value());
+  EXPECT_EQ(events.primary_key, std::vector<std::string>{"index"});
+  EXPECT_EQ(events.problem, "");
+  EXPECT_FALSE(events.diagnosis.has_value());
+}
+
+// Reading and writing are one list of members; what is written is compared with the structs in package_test.cpp.
+TEST_F(ReferenceReader, WritesAgainWhatItHasRead) {
+  for (const auto& package : {data::load_reference(fixture), data::load_reference()}) {
+    const json resources = json::parse(std::ifstream(package.folder / "datapackage.json"))["resources"];
+    ASSERT_EQ(resources.size(), package.resources.size());
+    for (std::size_t i = 0; i < resources.size(); ++i)
+      EXPECT_EQ(json::parse(data::json_text(package.resources[i])), resources[i]);
+  }
 }
 
 TEST_F(ReferenceReader, KeepsEveryDigitAndTheNearestDouble) {
@@ -150,11 +122,10 @@ TEST_F(ReferenceReader, KeepsEveryDigitAndTheNearestDouble) {
   const auto& frequency = table.column("frequency");
   EXPECT_EQ(frequency.text[0], "24.9719580926706706070503365542");
   EXPECT_EQ(frequency.values[0], 24.9719580926706706070503365542);
-  EXPECT_EQ(table.column("beam").text[11], "paper-half-stiffness");
   EXPECT_TRUE(std::isnan(table.column("beam").values[0]));
   EXPECT_EQ(table.radius_of("frequency")[2], 1e-26);
   EXPECT_EQ(table.radius_of("mode"), std::vector<double>(12, 0.0));
-  EXPECT_THROW(static_cast<void>(table.column("none")), std::out_of_range);
+  EXPECT_THROW((void)table.column("none"), std::out_of_range);
 }
 
 TEST_F(ReferenceReader, TakesAnEmptyCellForNoValue) {
@@ -165,48 +136,36 @@ TEST_F(ReferenceReader, TakesAnEmptyCellForNoValue) {
   EXPECT_EQ(table.column("y").values[1], 1e-3);
   EXPECT_TRUE(std::isnan(table.column("y").values[2]));
   EXPECT_TRUE(std::isnan(table.radius_of("y")[2]));
-  EXPECT_EQ(table.radius_of("t")[2], 0.0);
 }
 
 TEST_F(ReferenceReader, NamesTheValueThatIsWrong) {
-  struct File {
-    std::string text, sentence;
+  const auto nested = [](std::size_t levels) {
+    return std::string(levels, '[') + "1" + std::string(levels, ']');
   };
-  for (const auto& [text, sentence] : std::vector<File>{
-           {"{\n \"name\": \"small\",\n   \"title\": 3\n}\n",
-            "title is 3, but must be a string that is not empty"},
-           {"{\n \"name\": \"small\",\n   \"name\": \"twice\"\n}\n",
-            "the key name stands twice in an object"},
+  for (const auto& [text, sentence] : std::vector<std::pair<std::string, std::string>>{
            {"{\n \"name\": \"small\",\n  oops\n}\n", "is not valid JSON: parse error at line 3, column 3: "},
-           {"{\n \"name\": \"small\"", "is not valid JSON: parse error at line 2, column 17: "},
-           {R"({"name": 1e999})", "holds a number that no double holds: number overflow parsing '1e999'"},
            {R"({"name": -1e999})", "holds a number that no double holds: number overflow parsing '-1e999'"},
-           {R"({"name": {}})", "name is an object, but must be a string that is not empty"},
-           {std::string(100, '[') + "1" + std::string(100, ']'),
-            "the package is an array, but must be an object"},
-           {std::string(101, '[') + "1" + std::string(101, ']'),
-            "is nested deeper than the 100 levels that are allowed"},
-           {"[]", "the package is an array, but must be an object"}}) {
+           {nested(100), "the package is an array, but must be an object"},
+           {nested(101), "is nested deeper than the 100 levels that are allowed"}}) {
     folder_.write("datapackage.json", text);
-    const bool is_whole = !sentence.ends_with(": ");  // the parser says the rest
-    const std::string message = error_message();
-    EXPECT_EQ(is_whole ? message : message.substr(0, 18 + sentence.size()), "datapackage.json: " + sentence);
+    EXPECT_TRUE(error_message().starts_with("datapackage.json: " + sentence)) << error_message();
   }
   std::filesystem::remove(folder() / "datapackage.json");
   EXPECT_EQ(error_message(), "datapackage.json: cannot be opened for reading");
 }
 
-// Values of the package that are replaced, and a part of the sentence that refuses it. A place is a JSON pointer, which
-// begins at the history unless it begins with "/"; a value is JSON, or empty to erase the key.
+// A value of the package that is replaced, a part of the sentence that refuses it, and a second value. A place is a JSON
+// pointer, which begins at the history unless it begins with "/"; a value is JSON, or empty to erase the key.
 struct Defect {
-  std::vector<std::pair<std::string, std::string>> changes;
-  std::string part;
+  std::string place, value, part, other_place{}, other_value{};
 };
 
 json spoiled(const Defect& defect) {
   json package = valid_package();
-  for (const auto& [place, value] : defect.changes) {
+  for (const auto& [place, value] :
+       {std::pair{defect.place, defect.value}, {defect.other_place, defect.other_value}}) {
     const json::json_pointer at(place.starts_with('/') ? place : "/resources/0/" + place);
+    if (place.empty()) continue;
     if (value.empty())
       package[at.parent_pointer()].erase(at.back());
     else
@@ -215,123 +174,96 @@ json spoiled(const Defect& defect) {
   return package;
 }
 
-const std::vector<Defect> resource_defects{
-    {{{"/licenses", "[]"}}, "licenses is an array, but must be an array that"},
-    {{{"/resources", "[]"}}, "resources is an array, but must be an array"},
-    {{{"/resources/1/name", R"("history")"}}, "resources/history/name stands twice: history"},
-    {{{"path", R"("../history.csv")"}}, "path is \"../history.csv\", but must be a path inside"},
-    {{{"path", R"("/etc/passwd")"}}, "but must be a path inside"},
-    {{{"format", R"("xlsx")"}}, "\"xlsx\", but must be one of csv"},
-    {{{"encoding", R"("latin1")"}}, "but must be one of utf-8"},
-    {{{"profile", R"("data-resource")"}}, "tabular-data-resource"}};
-
-const std::vector<Defect> field_defects{
-    {{{"schema/fields", "[]"}}, "an array of fields that is not empty"},
-    {{{"schema/fields/2/name", R"("t")"}}, "schema/fields/t/name stands twice: t"},
-    {{{"schema/fields/0/type", R"("float")"}}, "\"float\", but must be one of string, integer, number"},
-    {{{"schema/fields/2/class", R"("good")"}},
-     "\"good\", but must be one of enclosed, exact, converged, external"},
-    {{{"schema/fields/1/class", R"("exact")"}}, "has a class, but holds words"},
-    {{{"schema/fields/0/constraints/enum", R"(["a"])"}},
-     "enum is an array, but must be an array of the words of a field of words"},
-    {{{"schema/fields/2/class", R"("converged")"}, {"schema/fields/3/name", R"("radius")"}},
-     "resources/history/schema/fields/y is converged, but the schema lacks y_radius"},
-    {{{"schema/fields/2/class", R"("enclosed")"}, {"schema/fields/3/name", R"("radius")"}},
-     "resources/history/schema/fields/y is enclosed, but the schema lacks y_radius"},
-    {{{"schema/fields/2/class", ""}, {"schema/fields/3/name", R"("z_radius")"}},
-     "is the radius of no field: z_radius"},
-    {{{"schema/fields/3/type", R"("string")"}},
-     "resources/history/schema/fields/y_radius is a radius, but holds words"},
-    {{{"schema/fields/3/unit", R"("mm")"}}, "has the unit 'mm', but must have that of y, 'm'"},
-    {{{"schema/primaryKey", R"(["tt"])"}},
-     "primaryKey/0 is \"tt\", but must be a field of the schema: t, phase, y, y_radius"},
-    {{{"schema/foreignKeys/0/fields", R"("tt")"}},
-     "schema/foreignKeys/0/fields is \"tt\", but must be a field of the schema"},
-    {{{"schema/foreignKeys/0/reference/resource", R"("none")"}},
-     "schema/foreignKeys/0/reference is no column of the package: none/time"},
-    {{{"schema/foreignKeys/0/reference/fields", R"("none")"}},
-     "schema/foreignKeys/0/reference is no column of the package: events/none"},
-    {{{"schema/fields/1/name", R"("state")"}}, "the schema lacks the field phase"},
-    {{{"/resources/1/schema/fields/1/name", R"("kind")"}},
-     "is of the kind events, but the schema lacks the field change"}};
-
-const std::vector<Defect> comparison_defects{
-    {{{"comparison/kind", R"("list")"}}, "one of table, curve, events, phases"},
-    {{{"comparison/kind", R"("table")"}, {"schema/primaryKey", ""}},
-     "is of the kind table, but the schema lacks a primaryKey"},
-    {{{"comparison/values", "[]"}}, "values is an array, but must be an array"},
-    {{{"comparison/values/0/field", R"("y_radiu")"}}, "a field of the schema (did you mean y_radius?)"},
-    {{{"comparison/values/0/field", R"("phase")"}}, "but must be a field of numbers"},
-    {{{"comparison/values/0/norm", R"("word")"}}, "field is \"y\", but must be a column of words"},
-    {{{"comparison/values/0/norm", R"("l2")"}}, "one of relative, scale, absolute, range"},
-    {{{"comparison/values/-", R"({"field": "phase", "norm": "word", "tolerance": 0})"}},
-     "but must be table or events, because words are compared"},
-    {{{"comparison/values/0/decided_by", R"({"field": "y", "threshold": 1})"}},
-     "decided_by is for words only"},
-    {{{"/resources/1/comparison/values/-", R"({"field": "change", "norm": "word", "tolerance": 0,
-                                               "decided_by": {"threshold": 1}})"}},
+const std::vector<Defect> defects{
+    {"/licenses", "[]", "licenses is an array, but must be an array that"},
+    {"/resources", "[]", "resources is an array, but must be an array"},
+    {"/resources/1/name", R"("history")", "name stands twice: history"},
+    {"path", R"("../history.csv")", "path is \"../history.csv\", but must be a path inside"},
+    {"path", R"("/etc/passwd")", "but must be a path inside"},
+    {"format", R"("xlsx")", "\"xlsx\", but must be one of csv"},
+    {"encoding", R"("latin1")", "but must be one of utf-8"},
+    {"profile", R"("data-resource")", "tabular-data-resource"},
+    {"schema/fields", "[]", "an array of fields that is not empty"},
+    {"schema/fields/2/name", R"("t")", "schema/fields/t/name stands twice: t"},
+    {"schema/fields/0/type", R"("float")", "\"float\", but must be one of string, integer, number"},
+    {"schema/fields/2/class", R"("good")", "but must be one of enclosed, exact, converged, external"},
+    {"schema/fields/1/class", R"("exact")", "has a class, but holds words"},
+    {"schema/fields/0/constraints/enum", R"(["a"])", "but must be an array of the words of a field of words"},
+    {"schema/fields/2/class", R"("converged")", "y is converged, but the schema lacks",
+     "schema/fields/3/name", R"("radius")"},
+    {"schema/fields/2/class", R"("enclosed")", "y is enclosed, but the schema lacks", "schema/fields/3/name",
+     R"("radius")"},
+    {"schema/fields/2/class", "", "is the radius of no field", "schema/fields/3/name", R"("z_radius")"},
+    {"schema/fields/3/type", R"("string")", "schema/fields/y_radius is a radius, but holds words"},
+    {"schema/fields/3/unit", R"("mm")", "has the unit 'mm', but must have that of y, 'm'"},
+    {"schema/primaryKey", R"(["tt"])", "primaryKey/0 is \"tt\", but must be a field of the schema: t, phase"},
+    {"schema/foreignKeys/0/fields", R"("tt")", "/0/fields is \"tt\", but must be a field of the schema"},
+    {"schema/foreignKeys/0/reference/resource", R"("none")", "is no column of the package: none/time"},
+    {"schema/foreignKeys/0/reference/fields", R"("none")", "is no column of the package: events/none"},
+    {"schema/fields/1/name", R"("state")", "the schema lacks the field phase"},
+    {"/resources/1/schema/fields/1/name", R"("kind")", "the schema lacks the field change"},
+    {"comparison/kind", R"("list")", "one of table, curve, events, phases"},
+    {"comparison/kind", R"("table")", "the schema lacks a primaryKey", "schema/primaryKey", ""},
+    {"comparison/values", "[]", "values is an array, but must be an array"},
+    {"comparison/values/0/field", R"("y_radiu")", "a field of the schema (did you mean y_radius?)"},
+    {"comparison/values/0/field", R"("phase")", "but must be a field of numbers"},
+    {"comparison/values/0/norm", R"("word")", "field is \"y\", but must be a column of words"},
+    {"comparison/values/0/norm", R"("l2")", "one of relative, scale, absolute, range"},
+    {"comparison/values/-", R"({"field": "phase", "norm": "word", "tolerance": 0})",
+     "must be table or events"},
+    {"comparison/values/0/decided_by", R"({"field": "y", "threshold": 1})", "decided_by is for words only"},
+    {"/resources/1/comparison/values/-",
+     R"({"field": "change", "norm": "word", "tolerance": 0, "decided_by": {"threshold": 1}})",
      "comparison/values/1/decided_by lacks field"},
-    {{{"comparison/values/-", R"({"field": "phase", "norm": "word", "tolerance": 0,
-                                  "decided_by": {"field": "t", "threshold": 1}})"}},
+    {"comparison/values/-",
+     R"({"field": "phase", "norm": "word", "tolerance": 0, "decided_by": {"field": "t", "threshold": 1}})",
      "but must be one of the compared values"},
-    {{{"comparison/abscissa", R"("time")"}}, "a field of the schema"},
-    {{{"comparison/interpolation/order", "10"}}, "an integer from 1 to 9"},
-    {{{"comparison/interpolation/order", "2.5"}}, "2.5, but must be an integer"},
-    {{{"comparison/interpolation/error/y_radiu", "1"}},
-     "is of no field of the schema (did you mean y_radius?)"},
-    {{{"comparison/interpolation/error/y", ""}}, "lacks y, which is compared"},
-    {{{"comparison/kind", R"("table")"}},
-     "history/comparison/abscissa is given, but must be missing for the kind table"},
-    {{{"comparison/kind", R"("table")"}, {"comparison/abscissa", ""}},
-     "history/comparison/interpolation is given, but must be missing for the kind table"},
-    {{{"/resources/1/comparison/interpolation", R"({"order": 3, "error": {"time": 1e-9}})"}},
-     "events/comparison/interpolation is given, but must be missing for the kind events"},
-    {{{"/resources/1/comparison/events", R"("events")"}},
-     "events/comparison/events is given, but must be missing for the kind events"},
-    {{{"/resources/1/comparison/kind", R"("table")"}},
-     "events/comparison/shortest_phase is given, but must be missing for the kind table"},
-    {{{"/resources/1/comparison/kind", R"("table")"}, {"/resources/1/comparison/horizon", "1"}},
-     "events/comparison/horizon is given, but must be missing for the kind table"},
-    {{{"comparison/shortest_phase", "1e-5"}},
-     "history/comparison/shortest_phase is given, but must be missing for the kind phases"},
-    {{{"comparison/events", R"("changes")"}}, "a resource of the kind events"},
-    {{{"comparison/events", R"("history")"}}, "a resource of the kind events"}};
-
-const std::vector<Defect> other_defects{
-    {{{"problem/tip", R"("loose")"}}, "problem/tip is \"loose\", but must be one of held, free, friction"},
-    {{{"problem/exitation", "1"}}, "problem/exitation is unknown (did you mean excitation?)"},
-    {{{"problem/beam", R"({"column": "beam"})"}},
-     "problem/beam/column is \"beam\", but must be a field of the schema"},
-    {{{"problem/modes", "[1, 2]"}}, "problem/modes is an array, but must be a number, a word or an object"},
-    {{{"problem/duration", "0"}}, "problem/duration is 0, but must be a number above 0"},
-    {{{"diagnosis/case", R"({"column": "beam"})"}},
-     "case/column is \"beam\", but must be a field of the schema"},
-    {{{"provenance/settings", R"("none")"}}, "settings is \"none\", but must be an object"},
-    {{{"provenance/checks", "[]"}}, "checks is an array, but"},
-    {{{"provenance/method", R"("")"}}, "method is \"\", but must be a string"}};
+    {"comparison/abscissa", R"("time")", "a field of the schema"},
+    {"comparison/interpolation/order", "10", "an integer from 1 to 9"},
+    {"comparison/interpolation/order", "2.5", "2.5, but must be an integer"},
+    {"comparison/interpolation/error/y_radiu", "1", "is of no field of the schema (did you mean y_radius?)"},
+    {"comparison/interpolation/error/y", "", "lacks y, which is compared"},
+    {"comparison/kind", R"("table")", "comparison/abscissa is given, but must be missing for the kind table"},
+    {"comparison/kind", R"("table")", "interpolation is given, but must", "comparison/abscissa", ""},
+    {"/resources/1/comparison/interpolation", R"({"order": 3, "error": {"time": 1e-9}})",
+     "interpolation is given"},
+    {"/resources/1/comparison/events", R"("events")", "events/comparison/events is given, but must be"},
+    {"/resources/1/comparison/kind", R"("table")", "shortest_phase is given, but must be missing"},
+    {"/resources/1/comparison/kind", R"("table")", "horizon is given", "/resources/1/comparison/horizon",
+     "1"},
+    {"comparison/shortest_phase", "1e-5", "shortest_phase is given, but must be missing for the kind phases"},
+    {"comparison/events", R"("changes")", "a resource of the kind events"},
+    {"comparison/events", R"("history")", "a resource of the kind events"},
+    {"problem/tip", R"("loose")", "problem/tip is \"loose\", but must be one of held, free, friction"},
+    {"problem/exitation", "1", "problem/exitation is unknown (did you mean excitation?)"},
+    {"problem/beam", R"({"column": "beam"})", "problem/beam/column is \"beam\", but must be a field"},
+    {"problem/modes", "[1, 2]", "problem/modes is an array, but must be a number, a word or an object"},
+    {"problem/duration", "0", "problem/duration is 0, but must be a number above 0"},
+    {"diagnosis/case", R"({"column": "beam"})", "case/column is \"beam\", but must be a field of the schema"},
+    {"provenance/settings", R"("none")", "settings is \"none\", but must be an object"},
+    {"provenance/checks", "[]", "checks is an array, but"},
+    {"provenance/method", R"("")", "method is \"\", but must be a string"}};
 
 TEST_F(ReferenceReader, AcceptsPackagesAtTheEdgeOfWhatIsAllowed) {
-  for (const Defect& edge : std::vector<Defect>{{{}, ""},
-                                                {{{"comparison/interpolation/order", "1"}}, ""},
-                                                {{{"comparison/interpolation/order", "9"}}, ""},
-                                                {{{"schema/primaryKey", ""}}, ""}}) {
-    write_package(spoiled(edge));
-    EXPECT_EQ(error_message("history"), "accepted");
-    EXPECT_EQ(error_message("events"), "accepted");
+  for (const auto& [place, value] :
+       std::vector<std::pair<std::string, std::string>>{{"comparison/interpolation/order", "1"},
+                                                        {"comparison/interpolation/order", "9"},
+                                                        {"schema/primaryKey", ""}}) {
+    write_package(spoiled({place, value, ""}));
+    EXPECT_EQ(error_message("history"), "accepted") << place;
+    EXPECT_EQ(error_message("events"), "accepted") << place;
   }
 }
 
 // PackageKeys in input_matrix_test.cpp leaves out each key of a published package, and gives it values of the wrong
 // type, sign or size.
 TEST_F(ReferenceReader, RefusesEveryDefectOfAPackageAtItsPlace) {
-  for (const auto& defects : {resource_defects, field_defects, comparison_defects, other_defects})
-    for (const Defect& defect : defects) {
-      write_package(spoiled(defect));
-      const std::string sentence = error_message();
-      EXPECT_TRUE(holds(sentence, defect.part))
-          << ::testing::PrintToString(defect.changes) << ": " << sentence;
-      EXPECT_TRUE(sentence.starts_with("datapackage.json: ")) << sentence;
-    }
+  for (const Defect& defect : defects) {
+    write_package(spoiled(defect));
+    const std::string sentence = error_message();
+    EXPECT_TRUE(holds(sentence, defect.part)) << defect.place << " " << defect.value;
+    EXPECT_TRUE(sentence.starts_with("datapackage.json: ")) << sentence;
+  }
 }
 
 // By another program, from FIPS 180-4.
@@ -342,55 +274,50 @@ TEST(Sha256, IsThatOfAnotherProgram) {
 }
 
 TEST_F(ReferenceReader, RefusesDigestsAndSizesThatAreNone) {
-  const auto with = [&](const std::string& key, const json& value) {
+  const std::string digest = "resources/history/hash is \"";
+  for (const auto& [key, value, sentence] : std::vector<std::tuple<const char*, json, std::string>>{
+           {"hash", "sha256:12", digest},
+           {"hash", "md5:" + std::string(64, '0'), digest},
+           {"hash", "", digest},
+           {"hash", "sha256:" + std::string(64, 'g'), digest},
+           {"hash", nullptr, "resources/history lacks hash"},
+           {"bytes", nullptr, "resources/history lacks bytes"},
+           {"bytes", 0, "resources/history/bytes is 0, but must be an integer above 0"},
+           {"bytes", "12", "resources/history/bytes is \"12\", but must be an integer"},
+           {"bytes", 7,
+            "its size is 65 bytes, but must be 7 as in datapackage.json: the file has been altered"},
+           {"hash", "sha256:" + std::string(64, '0'), "its SHA-256 digest is "}}) {
     write_package(valid_package());
     json package = json::parse(std::ifstream(folder() / "datapackage.json"));
     package["resources"][0][key] = value;
     if (value.is_null()) package["resources"][0].erase(key);
     folder_.write("datapackage.json", package.dump(1));
-    return error_message("history");
-  };
-  for (const char* hash : {"sha256:12", "md5:0", "", "sha256:"})
-    EXPECT_TRUE(holds(with("hash", hash), "hash is \"")) << with("hash", hash);
-  for (const char* key : {"bytes", "hash"})
-    EXPECT_TRUE(holds(with(key, nullptr), std::string("history lacks ") + key)) << with(key, nullptr);
-  EXPECT_TRUE(holds(with("hash", "sha256:" + std::string(64, 'g')), "64 hexadecimal digits"));
-  EXPECT_TRUE(holds(with("bytes", 0), "bytes is 0, but must be an integer above 0"));
-  EXPECT_TRUE(holds(with("bytes", "12"), "bytes is \"12\", but must be an integer"));
-  EXPECT_TRUE(holds(with("bytes", 7), "history.csv: its size is")) << with("bytes", 7);
-  EXPECT_TRUE(holds(with("hash", "sha256:" + std::string(64, '0')), "its SHA-256 digest is"));
+    EXPECT_TRUE(holds(error_message("history"), ": " + sentence));
+  }
 }
 
 TEST_F(ReferenceReader, RefusesEveryDefectOfATableAtItsPlace) {
-  struct Table {
-    std::string csv, sentence;
-  };
-  const std::string names = "t,phase,y,y_radius\n";
-  const std::vector<Table> tables{
-      {"t,phase,y\n0,stick,0\n", "1: the column y_radius of the schema is missing"},
-      {"t,phase,yy,y_radius\n0,stick,0,0\n",
-       "1, column 3 (yy): the name of the column is 'yy', but must be y as in the schema"},
-      {names, "1: the table has no rows, but must have at least one"},
-      {names + "0,stick,0,1e-9,\n", "2: the line has 5 cells, but must have 4 as the line of names has"},
-      {names + "0,stick,1.0x,1e-9\n", "2, column 3 (y): y is '1.0x', but must be a finite number"},
-      {names + "0,stick,nan,1e-9\n", "2, column 3 (y): y is 'nan', but must be a finite number"},
-      {names + "0,stick,1e999,1e-9\n", "2, column 3 (y): y is '1e999', but must be a finite number"},
-      {names + "0,stick,0,-1e-9\n",
-       "2, column 4 (y_radius): y_radius is '-1e-9', but must be a number that is not negative"},
-      {names + "0,stick,0,nan\n", "2, column 4 (y_radius): y_radius is 'nan', but must be a finite number"},
-      {names + "0,stick,0,\n",
-       "2, column 4 (y_radius): y_radius is '', but must be empty exactly where y is"},
-      {names + "0,stick,,1e-9\n",
-       "2, column 4 (y_radius): y_radius is '1e-9', but must be empty exactly where y is"},
-      {names + "0,,0,1e-9\n", "2, column 2 (phase): phase is '', but must be a value"},
-      {names + ",stick,0,1e-9\n", "2, column 1 (t): t is '', but must be a value"},
-      {names + "0,stick,0,1e-9\n0.1,stick,0,1e-9\n0,slip,0,1e-9\n",
-       "4: the primary key t stands in line 2 already, but must stand once"},
-      {names + "0.1,stick,0,1e-9\n0.10000000000001,stick,0,1e-9\n",
-       "3: the primary key t stands in line 2 already, but must stand once"}};
-  for (const auto& [csv, sentence] : tables) {
+  const std::string names = "t,phase,y,y_radius\n", good = names + "0.1,stick,0,1e-9\n";
+  for (const auto& [csv, sentence] : std::vector<std::pair<std::string, std::string>>{
+           {"t,phase,y\n0,stick,0\n", "1: the column y_radius of the schema is missing"},
+           {"t,phase,y,y_radius,z\n0,stick,0,0,1\n",
+            "1, column 5 (z): the name of the column is 'z', but the schema has no further column"},
+           {names, "1: the table has no rows, but must have at least one"},
+           {names + "0,stick,0,1e-9,\n", "2: the line has 5 cells, but must have 4 as the line of names has"},
+           {names + "0,stick,0,\n",
+            "2, column 4 (y_radius): y_radius is '', but must be empty exactly where y is"},
+           {names + "0,stick,,1e-9\n",
+            "2, column 4 (y_radius): y_radius is '1e-9', but must be empty exactly where y is"},
+           {names + "0,,0,1e-9\n", "2, column 2 (phase): phase is '', but must be a value"},
+           {names + "0,stuck,0,1e-9\n",
+            "2, column 2 (phase): phase is 'stuck', but must be one of stick, slip"},
+           {names + ",stick,0,1e-9\n", "2, column 1 (t): t is '', but must be a value"},
+           {good + "0.2,stick,0,1e-9\n0.1,slip,0,1e-9\n",
+            "4: the primary key t stands in line 2 already, but must stand once"},
+           {good + "0.10000000000001,stick,0,1e-9\n",
+            "3: the primary key t stands in line 2 already, but must stand once"}}) {
     write_package(valid_package(), csv);
-    write_history(csv);
+    folder_.write("history.csv", csv);
     EXPECT_EQ(error_message("history"), "history.csv:" + sentence);
   }
 }
