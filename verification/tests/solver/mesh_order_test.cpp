@@ -1,323 +1,411 @@
 // SPDX-License-Identifier: MIT
-/// Orders of convergence of the mesh, with the constants that theory predicts.
-
-#include <fmt/format.h>
+/// Every quantity of a mesh is off by a power of the element length times a constant that is derived here.
 
 #include <Eigen/Dense>
-#include <array>
-#include <utility>
 
-#include "stickslip/analytic/stick_response.hpp"
+#include "stickslip/analytic/damped_steady_state.hpp"
+#include "stickslip/analytic/slip_modes.hpp"
+#include "stickslip/analytic/stick_modes.hpp"
+#include "stickslip/analytic/timoshenko_modes.hpp"
 #include "stickslip/analytic/tip_mobility.hpp"
-#include "stickslip/solver/beam_model.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
-#include "studies/common/convergence.hpp"
+#include "stickslip/solver/contact_mobility.hpp"
+#include "stickslip/solver/modal_analysis.hpp"
 #include "studies/verification/frequencies.hpp"
 #include "studies/verification/manufactured_solution.hpp"
 #include "support/order.hpp"
 #include "support/testing.hpp"
 #include "support/vibration.hpp"
+#include "support/waves.hpp"
 
 namespace stickslip::testing {
 namespace {
 
 using Complex = std::complex<double>;
 
-const std::vector<int> meshes{8, 12, 16, 24, 32, 48};
+using Given = BeamProblem::Given;
 
-// A quantity that the mesh raises by about (beta l)^4/720 of itself has (beta l)^2/40 of that as its next
-// term between supports; where the tip is free, u'''' does not vanish and raises it by about 10/(beta L) of
-// itself: by 3.3 in the second mode, which is the largest that matters (in the first all of it is small).
-double next_term(double wave_number, double length, double margin) {
-  return margin * std::pow(wave_number * length, 2) / 40.0;
+// --- What Hermite's elements leave of B(v, u) of support/waves.hpp
+
+/// An error of n elements: constant h^order (1 + next h^2) with h = 1/n.
+struct MeshError {
+  std::string what{};
+  Complex constant, next;
+  double waves{};     ///< the largest exponent: elements shorter than 1/waves are fine
+  double scale{1.0};  ///< of the quantity, for its round-off
+  std::function<Complex(int)> on_mesh{};
+  int order{4};
+  double left_out{};  ///< a share of the constant
+};
+
+/// B(v - v_h, u - u_h) of a mesh. Its motions are those of the beam at the nodes, and in between off by e with e'''' = u'''' on
+/// an element with held ends: e'' = h^2 u''''/12 (1 - 6 s + 6 s^2) but for terms with u^(5) and u^(6), so that
+///
+///     int e_v'' e_u'' = h^4/720 [int v4 u4 - h^2 (8/105 int v5 u5 + 1/42 int (v4 u6 + v6 u4))],
+///     int e_v' e_u' = h^6/30240 int v4 u4.
+MeshError energy_of_errors(const BeamProblem& theory, const BeamWaves& v, const BeamWaves& u) {
+  const Complex square = product(v, 4, u, 4);
+  const Complex bent = product(v, 5, u, 5) * 8.0 / 105.0 + (product(v, 4, u, 6) + product(v, 6, u, 4)) / 42.0;
+  return {.constant = square / 720.0,
+          .next = -bent / square - theory.load() / 42.0,
+          .waves = u.largest_exponent()};
 }
 
-// The order is four with a leading term that is `constant` l^4 but for the share of the axial force in it
-// that the constant lacks, the same on all meshes.
-::testing::AssertionResult is_of_order_four(const std::vector<OrderLevel>& levels, double constant,
-                                            double share) {
-  for (const OrderLevel& level : levels) {
-    const double leading = constant * std::pow(level.step, 4);
-    const auto holds = within(level.error, leading,
-                              discretisation(leading * (level.next_term + share) + level.floor, 1.0,
-                                             "next terms and the share of the axial force"));
-    if (!holds) return holds;
+using MeshErrors = std::vector<MeshError>;
+
+/// B_h(v_h, u_h) = 0 at another omega^2: its relative error is B(v - v_h, u - u_h)/(-q int v u).
+template <class Modes>
+MeshErrors errors_of_frequencies(const char* name, const data::Beam& beam, const Modes& exact,
+                                 std::vector<solver::FiniteElementMode> (*on_mesh)(const solver::BeamModel&,
+                                                                                   int)) {
+  MeshErrors errors;
+  for (const auto& mode : exact) {
+    const double omega = mode.angular_frequency();
+    const BeamProblem theory{beam, {0.0, omega}};
+    const BeamWaves u = theory.motion(false, Given::curvature_at_clamp),
+                    v = theory.motion(true, Given::curvature_at_clamp);
+    MeshError error = energy_of_errors(theory, v, u);
+    error.what = fmt::format("{} frequency {}", name, mode.number());
+    error.constant /= -theory.inertia() * product(v, 0, u, 0);
+    error.on_mesh = [=, number = mode.number()](int n) {
+      return std::pow(on_mesh(solver::BeamModel(beam, n), number).back().angular_frequency / omega, 2) - 1.0;
+    };
+    errors.push_back(error);
   }
-  return order_is(levels, 4.0);
+  return errors;
 }
 
-// The frequencies of a study whose constants lack z/(beta L)^2 of themselves, z = P L^2/EI.
-void expect_order_four(const studies::FrequencyStudy& study, double first_wave_number, double margin,
-                       double load_factor = 0.0) {
-  EXPECT_FALSE(study.modes.empty());
-  for (const auto& mode : study.modes) {
-    const double beta_length = first_wave_number + (mode.mode - 1) * std::numbers::pi;
-    std::vector<OrderLevel> levels;
-    for (std::size_t i = 0; i < study.elements.size(); ++i) {
-      const double length = 1.0 / study.elements[i];
-      // The eigenvalue solver's round-off is 1e-11 of omega^2 at worst.
-      levels.push_back({.step = length,
-                        .error = std::abs(mode.relative_error[i]),
-                        .next_term = next_term(beta_length, length, margin),
-                        .floor = 1e-11});
+MeshErrors stick_frequencies(const data::Beam& beam, RandomNumbers& /*numbers*/) {
+  return errors_of_frequencies("stick", beam, analytic::stick_modes(beam, 5), solver::stick_modes);
+}
+
+/// P from tension to a share of the load at which the slip state loses its stability.
+data::Beam sliding(const data::Beam& beam, RandomNumbers& numbers) {
+  const double direction = random_direction(numbers);
+  const double critical = analytic::slip_critical_load(directed(beam, direction, 0.0));
+  return directed(beam, direction, numbers.uniform(-1.0, 0.8) * critical);
+}
+
+MeshErrors slip_frequencies(const data::Beam& any, RandomNumbers& numbers) {
+  const data::Beam beam = sliding(any, numbers);
+  return errors_of_frequencies("slip", beam, analytic::slip_modes(beam, 4), solver::slip_modes);
+}
+
+/// The largest P at which no omega^2 of a mesh is complex or negative, by halving to 1e-11 of it.
+double slip_critical_load(const data::Beam& beam, int elements, double about) {
+  const auto is_stable = [&](double force) {
+    const solver::BeamModel mesh(directed(beam, beam.axial_direction(), force), elements);
+    return std::ranges::all_of(solver::slip_eigenvalues(mesh, 2),
+                               [](Complex square) { return square.imag() == 0.0 && square.real() > 0.0; });
+  };
+  double low = 0.9 * about, high = 1.1 * about;
+  while (high - low > 1e-11 * about) {
+    const double middle = 0.5 * (low + high);
+    (is_stable(middle) ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+/// B_h(v_h, u_h) = 0 at another P: z is off by B(v - v_h, u - u_h)/[int v' u' - (1 - chi) v(1) u'(1)]. In flutter omega is off as
+/// well, but int v u is zero where two modes meet.
+MeshError error_of_load(const std::string& name, const data::Beam& beam, double load, double omega) {
+  const BeamProblem theory{directed(beam, beam.axial_direction(), load), {0.0, omega}};
+  const BeamWaves u = theory.motion(false, Given::curvature_at_clamp),
+                  v = theory.motion(true, Given::curvature_at_clamp);
+  MeshError error = energy_of_errors(theory, v, u);
+  error.what = fmt::format("{} at chi = {}", name, beam.axial_direction());
+  error.constant /=
+      theory.load() * (product(v, 1, u, 1) - (1.0 - beam.axial_direction()) * v(0, 1.0) * u(1, 1.0));
+  return error;
+}
+
+MeshErrors critical_loads(const data::Beam& beam, RandomNumbers& numbers) {
+  const double at_rest = 1e-3 * frequency_unit(beam), buckling = analytic::stick_buckling_load(beam);
+  MeshErrors errors{error_of_load("buckling load in stick", beam, buckling, at_rest)};
+  errors.front().on_mesh = [=](int n) {
+    return solver::stick_buckling_load(solver::BeamModel(beam, n)) / buckling - 1.0;
+  };
+  for (const double direction :
+       {0.0, numbers.uniform(0.0, 0.499), 0.499, 0.501, numbers.uniform(0.501, 1.0), 1.0}) {
+    const data::Beam unloaded = directed(beam, direction, 0.0);
+    const double load = analytic::slip_critical_load(unloaded);
+    double omega = at_rest;
+    if (direction < 0.5) {  // two frequencies, as far from where they meet as the square root of what P lacks
+      const auto modes = analytic::slip_modes(directed(beam, direction, load * (1.0 - 1e-9)), 2);
+      omega = 0.5 * (modes[0].angular_frequency() + modes[1].angular_frequency());
     }
-    // Simpson's rule gives the constant to 1e-8.
-    EXPECT_TRUE(is_of_order_four(levels, mode.predicted_error.front() / std::pow(levels.front().step, 4),
-                                 load_factor / (beta_length * beta_length) + 1e-8))
-        << "mode " << mode.mode;
-    // What the report prints is the slope of just these levels.
-    EXPECT_TRUE(
-        within(mode.observed_order.order, 4.0,
-               discretisation(order_bound(levels).slope, 1.0, "what the next terms do to the slope")));
+    errors.push_back(error_of_load("critical load in slip", unloaded, load, omega));
+    errors.back().on_mesh = [=](int n) { return slip_critical_load(unloaded, n, load) / load - 1.0; };
   }
+  return errors;
 }
 
-STICKSLIP_VERIFIES(StickFrequencyOrder, "F3");
-TEST(StickFrequencyOrder, IsFourWithThePredictedConstant) {
-  for (const double force : {-5.0, 0.0, 0.12, 10.0}) {
-    SCOPED_TRACE(force);
-    const double unit = rigidity(paper_beam()) / 4.0;  // EI/L^2
-    const auto study = studies::stick_frequency_study(paper_beam_with_axial_force(force * unit), 5, meshes);
-    // An axial force of half the buckling load shortens the waves of mode 1, trigonometric ones, by a fifth.
-    expect_order_four(study, 1.25 * std::numbers::pi, force > 1.0 ? 3.0 : 1.1);
-    for (const auto& mode : study.modes)
-      for (const double error : mode.relative_error)
-        EXPECT_GT(error, 0.0) << "a Rayleigh quotient is an upper bound";
+/// J_h - J = -B(v - v_h, u - u_h) of the flexibility J = Y/s, u and v under a force 1 at the tip.
+MeshErrors tip_mobility(const data::Beam& any, RandomNumbers& numbers) {
+  const data::Beam beam = sliding(any, numbers);
+  const auto base = solver::harmonic_motion(shaking(1.0));
+  const double unit = frequency_unit(beam);
+  MeshErrors errors;
+  for (const double magnitude : {1e-3, numbers.log_uniform(0.1, 3.0), numbers.log_uniform(3.0, 40.0)})
+    for (const double eta : {0.0, numbers.log_uniform(1e-4, 0.1) / unit}) {
+      const Complex s = std::polar(magnitude * unit, numbers.uniform(0.0, 1.4));
+      const BeamProblem theory{beam, s, eta};
+      const Complex exact = analytic::TipMobility(beam, kelvin_voigt(eta))(s);
+      MeshError error = energy_of_errors(theory, theory.motion(true, Given::force_at_tip),
+                                         theory.motion(false, Given::force_at_tip));
+      error.what = fmt::format("mobility at {:.3g} exp({:.3g} i), eta = {:.3g}", magnitude, std::arg(s), eta);
+      error.constant *= -s * std::pow(beam.length(), 3) / theory.rigidity() / exact;
+      error.on_mesh = [=](int n) {
+        const solver::BeamModel mesh(beam, n);
+        const auto system = solver::beam_contact_system(mesh, paper_friction(), base, kelvin_voigt(eta));
+        return solver::ContactMobility(system)(s) / exact - 1.0;
+      };
+      errors.push_back(error);
+    }
+  return errors;
+}
+
+/// f_h - f = -B(v - v_h, u - u_h) A0 D/L^3 with the tip held, u on a moving base and v with a moving tip.
+MeshErrors reaction(const data::Beam& any, RandomNumbers& numbers) {
+  const data::Beam beam = directed(any, random_direction(numbers), any.axial_force());
+  std::vector<double> natural;
+  for (const auto& mode : analytic::stick_modes(beam, 6)) natural.push_back(mode.angular_frequency());
+  MeshErrors errors;
+  for (const double eta : {0.0, numbers.log_uniform(1e-4, 0.1) / natural.front()}) {
+    const double hz = random_frequency_hz(numbers, natural, 0.1), amplitude = 1e-3;
+    const data::Case problem = with(paper_problem(hz, amplitude), beam, kelvin_voigt(eta));
+    const BeamProblem theory{beam, {0.0, 2.0 * std::numbers::pi * hz}, eta};
+    const Complex exact =
+        analytic::DampedSteadyState(beam, problem.excitation, problem.damping, analytic::TipSupport::held)
+            .friction_force();
+    MeshError error = energy_of_errors(theory, theory.motion(true, Given::position_of_tip),
+                                       theory.motion(false, Given::position_of_tip, 0.0, 1.0));
+    error.what = fmt::format("reaction at {} Hz, eta = {:.3g}", hz, eta);
+    error.constant *= -amplitude * theory.rigidity() / std::pow(beam.length(), 3);
+    error.scale = std::abs(exact);
+    error.on_mesh = [=](int n) { return finite_element_steady_reaction(problem, n) - exact; };
+    errors.push_back(error);
   }
+  return errors;
 }
 
-STICKSLIP_VERIFIES(SlipFrequencyOrder, "F3");
-TEST(SlipFrequencyOrder, IsFourUnderTheFollowerLoad) {
-  // The constant is that of P = 0: at P L^2/EI = 0.12 it is off by 3.4 % in the first mode.
-  expect_order_four(studies::slip_frequency_study(paper_beam(), 5, meshes), 0.6 * std::numbers::pi, 4.0,
-                    0.12);
-}
-
-STICKSLIP_VERIFIES(FlutterLoadOrder, "F3");
-TEST(FlutterLoadOrder, IsFourAndTendsToBecksLoad) {
-  const auto study = studies::flutter_study(paper_beam(), {4, 6, 8, 12, 16});
-  // Where the modes meet, omega = 11.0 sqrt(EI/rho A)/L^2 and beta_bar L = 5.0 (Eq. 23); margin of a free
-  // tip. The bisection ends at 1e-9.
-  std::vector<double> lengths, errors;
-  for (std::size_t i = 0; i < study.elements.size(); ++i) {
-    lengths.push_back(1.0 / study.elements[i]);
-    errors.push_back(std::abs(study.finite_element[i] - study.closed_form));
+/// With shear, q = rho A omega^2 w bends and shears an element whose nodes are held by q^2 l^5/(720 EI) + q^2 l^3/(12 k G A):
+/// of second order where it is shorter than the section is high. Rotary inertia, left out, takes (beta r)^2 (1 - k G/E) of it.
+MeshErrors shear_frequencies(const data::Beam& any, RandomNumbers& numbers) {
+  data::BeamProperties properties = any.properties();
+  const double height = std::sqrt(12.0 * properties.second_moment_of_area / properties.area);
+  properties.length = height * numbers.uniform(5.0, 15.0);
+  properties.shear_stiffness = properties.youngs_modulus * properties.area * numbers.uniform(0.2, 0.5);
+  const data::Beam beam(properties);
+  const double slenderness = beam.length() / height;
+  MeshErrors errors;
+  for (const bool is_held : {false, true}) {
+    const auto tip = is_held ? analytic::TipSupport::held : analytic::TipSupport::free;
+    const double omega = analytic::timoshenko_frequencies(beam, tip, 1).front();
+    const double inertia = beam.density() * beam.area() * std::pow(omega * beam.length(), 2);
+    const double wave_number_squared = omega / frequency_unit(beam);
+    errors.push_back({.what = fmt::format("frequency with shear and the tip {}", is_held ? "held" : "free"),
+                      .constant = inertia / (12.0 * beam.shear_stiffness()),
+                      .next = beam.shear_stiffness() * std::pow(beam.length(), 2) / rigidity(beam) / 60.0,
+                      .waves = 2.0 * slenderness,
+                      .on_mesh =
+                          [=](int n) {
+                            const auto on_mesh = is_held ? solver::stick_modes : solver::slip_modes;
+                            const auto mode = on_mesh(solver::BeamModel(beam, n), 1).front();
+                            return std::pow(mode.angular_frequency / omega, 2) - 1.0;
+                          },
+                      .order = 2,
+                      .left_out = wave_number_squared / std::pow(slenderness, 2) / 12.0});
   }
-  EXPECT_TRUE(order_is(order_levels(
-                           lengths, errors, [](double length) { return next_term(5.0, length, 4.0); }, 1e-9),
-                       4.0));
-  EXPECT_EQ(study.observed_order.order, studies::observed_order(lengths, errors));
-  EXPECT_TRUE(within(study.closed_form, 20.05, reference(5e-3, "Beck's load as usually printed")));
-  const double extrapolated =
-      study.finite_element[4] + (study.finite_element[4] - study.finite_element[2]) / 15.0;
-  EXPECT_TRUE(within(
-      extrapolated, study.closed_form,
-      discretisation((study.finite_element[2] - study.closed_form) / 15.0, 0.2, "extrapolation of order 4")));
+  return errors;
 }
 
-STICKSLIP_VERIFIES(ReactionOrder, "F4");
-// The next term is (beta l)^2/10 with beta L = 3.93 of mode 1, below whose frequency the excitation stays: above it the
-// constant passes zero.
-TEST(ReactionOrder, IsFourByTheBalanceOfTheTip) {
-  for (const double hz : {5.0, 15.0, 20.0}) {
-    const data::Case problem = paper_problem(hz, 1.0);
-    const double exact =
-        std::abs(analytic::StickResponse(problem.beam, problem.excitation, 10, analytic::SteadyPart::exact)
-                     .steady_force_amplitude());
-    std::vector<OrderLevel> levels;
-    for (const int n : {4, 6, 8, 12})
-      levels.push_back({.step = 1.0 / n,
-                        .error = std::abs(finite_element_steady_force(problem, n) - exact),
-                        .next_term = std::pow(3.93 / n, 2) / 10.0,
-                        .floor = round_off(1, std::pow(n, 4), exact).value});
-    EXPECT_TRUE(order_is(levels, 4.0)) << hz << " Hz";
-  }
-}
+struct Row {
+  const char* name;
+  const char* requirement;
+  ForceRange force;
+  MeshErrors (*errors)(const data::Beam&, RandomNumbers&);
+};
 
-constexpr double rigidity = 2e9 * 1e-4 / 12.0;  // EI, N m^2
+class MeshOrder : public ::testing::TestWithParam<Row> {};
 
-/// s e^T (s^2 M + s C + K_slip)^-1 e, e the tip's deflection.
-Complex mesh_mobility(const data::Beam& beam, const data::Damping& damping, int elements, Complex s) {
-  const solver::BeamModel model(beam, elements);
-  const Eigen::MatrixXcd dynamic =
-      s * s * Eigen::MatrixXcd(model.mass().cast<Complex>()) +
-      s * Eigen::MatrixXcd(solver::damping_matrix(model, damping).cast<Complex>()) +
-      Eigen::MatrixXcd(model.slip_stiffness().cast<Complex>());
-  const Eigen::VectorXcd force = Eigen::VectorXcd::Unit(model.degrees_of_freedom(), model.tip_deflection());
-  return s * dynamic.partialPivLu().solve(force)[model.tip_deflection()];
-}
-
-STICKSLIP_VERIFIES(TipMobilityOrder, "A9");
-TEST(TipMobilityOrder, IsFourWithThePredictedConstant) {
-  // Of MeshError, with the motion under a unit force at the tip as the dual one, which it is at P = 0: D
-  // u'''' = -rho A s^2 u, and with the velocity T(x) per unit force
-  //
-  //     Y_h - Y = -l^4 s^3 (rho A)^2/(720 D) int T^2 dx,
-  //
-  // of which the next term is l^2 (2 int T T''/42 + 8 int T'^2/105)/int T^2, with (|r| l)^2/8 more. Other
-  // forces have another constant; the size of their next term is taken from the same formula.
-  constexpr int n = 200;
-  for (const double axial_force : {0.0, 500.0, 5e3, -5e3})
-    for (const double eta : {0.0, 1e-4})
-      for (const Complex s :
-           {Complex(100.0), Complex(60.0, 150.0), Complex(0.0, 120.0), Complex(0.0, 400.0)}) {
-        const data::Beam beam = paper_beam_with_axial_force(axial_force);
-        const data::Damping damping({.kelvin_voigt = eta});
-        const analytic::TipMobility mobility(beam, damping);
-        const double step = beam.length() / n;
-        std::vector<Complex> velocity;
-        for (int i = 0; i <= n; ++i) velocity.push_back(mobility.transfer(step * i, s));
-        Complex square = 0.0, slope_square = 0.0;
-        for (std::size_t i = 0; i <= n; ++i) {
-          square += simpson_weight(static_cast<int>(i), n) * step / 3.0 * std::pow(velocity[i], 2);
-          if (i > 0) slope_square += std::pow(velocity[i] - velocity[i - 1], 2) / step;
-        }
-        // int T T'' = T T'(L) - int T'^2.
-        const Complex bend = velocity[n] * (velocity[n] - velocity[n - 1]) / step - slope_square;
-        const double next =
-            (2.0 / 42.0 * std::abs(bend) + 8.0 / 105.0 * std::abs(slope_square)) / std::abs(square);
-        const double constant = std::abs(s * s * s * 100.0 / (720.0 * rigidity * (1.0 + eta * s)) * square);
-        const double wave = std::abs(s * std::sqrt(10.0 / rigidity));  // |r|^2
-        std::vector<OrderLevel> levels;
-        for (const int elements : {8, 12, 16, 24}) {
-          const double l = beam.length() / elements;
-          const Complex error = mesh_mobility(beam, damping, elements, s) - mobility(s);
-          levels.push_back({.step = l,
-                            .error = std::abs(error),
-                            .next_term = next * l * l * (1.0 + wave * l * l / 8.0),
-                            .floor = round_off(1, std::pow(elements, 4), std::abs(mobility(s))).value});
-        }
-        EXPECT_TRUE(order_is(levels, 4.0, axial_force == 0.0 ? std::optional(constant) : std::nullopt))
-            << "P = " << axial_force << ", eta = " << eta << ", s = " << s;
+STICKSLIP_VERIFIES(MeshOrder, "F3");
+TEST_P(MeshOrder, HasTheDerivedConstant) {
+  record_requirement(GetParam().requirement);
+  on_random_beams(6, GetParam().force, [](const data::Beam& beam, RandomNumbers& numbers) {
+    for (const MeshError& error : GetParam().errors(beam, numbers))
+      for (const double finer : {1.0, 4.0 / 3.0, 2.0, 8.0 / 3.0}) {
+        const int n = static_cast<int>(std::ceil(finer * std::max(error.waves, 3.0)));
+        const double h = 1.0 / n, next = std::max(std::abs(error.next), error.waves * error.waves / 20.0);
+        const Complex predicted = error.constant * std::pow(h, error.order) * (1.0 + error.next * h * h);
+        // Four times the square of the next term, or of (waves h)^2/20, by which most series go on.
+        const double behind = (4.0 * std::pow(next * h * h, 2) + error.left_out) * std::abs(predicted);
+        EXPECT_TRUE(within(error.on_mesh(n), predicted,
+                           discretisation(behind + round_off(1, std::pow(n, 4), error.scale).value, 1.0,
+                                          "the terms behind the next one, and round-off")))
+            << error.what << " on " << n << " elements";
       }
+  });
 }
 
-// --- Manufactured solutions
+INSTANTIATE_TEST_SUITE_P(Quantities, MeshOrder,
+                         ::testing::Values(Row{"StickFrequencies", "F3", any_force, stick_frequencies},
+                                           Row{"SlipFrequencies", "X23", no_force, slip_frequencies},
+                                           Row{"CriticalLoads", "X23", no_force, critical_loads},
+                                           Row{"TipMobility", "A9", no_force, tip_mobility},
+                                           Row{"Reaction", "F4", any_force, reaction},
+                                           Row{"ShearFrequencies", "X24", no_force, shear_frequencies}),
+                         [](const auto& row) { return std::string(row.param.name); });
+
+// --- The studies of the report
+
+STICKSLIP_VERIFIES(FrequencyStudy, "F3");
+// The constants in slip are those of P = 0: of a share z/(beta L)^2 too small.
+TEST(FrequencyStudy, HasErrorsAndConstantsOfTheMesh) {
+  const data::Beam beam = paper_beam();
+  const std::vector<int> meshes{24, 32, 48};
+  const auto expect = [&](const studies::FrequencyStudy& study, const MeshErrors& errors, double share) {
+    ASSERT_EQ(study.modes.size(), errors.size());
+    for (std::size_t k = 0; k < errors.size(); ++k) {
+      const studies::FrequencyConvergence& mode = study.modes[k];
+      const double next = 5.0 * std::abs(errors[k].next) * std::pow(meshes.front(), -2);
+      const Tolerance behind = discretisation(share + next, 1.0, "the next term, and the share of P");
+      for (std::size_t i = 0; i < meshes.size(); ++i) {
+        const double leading = errors[k].constant.real() * std::pow(meshes[i], -4);
+        EXPECT_TRUE(
+            within(mode.relative_error[i], errors[k].on_mesh(meshes[i]).real(), round_off(4, 1, 1.0)));
+        EXPECT_TRUE(within(mode.predicted_error[i] / leading, 1.0,
+                           discretisation(share + 1e-8, 1.0, "the share of P, and Simpson's rule")));
+      }
+      EXPECT_TRUE(within(mode.leading_constant_ratio, 1.0, behind)) << errors[k].what;
+      EXPECT_TRUE(within(mode.observed_order.order, 4.0, behind)) << errors[k].what;
+    }
+  };
+  RandomNumbers numbers(1);
+  expect(studies::stick_frequency_study(beam, 5, meshes), stick_frequencies(beam, numbers), 0.0);
+  const auto modes = analytic::slip_modes(beam, 4);
+  expect(studies::slip_frequency_study(beam, 4, meshes),
+         errors_of_frequencies("slip", beam, modes, solver::slip_modes), 0.035);
+
+  const MeshError beck = critical_loads(beam, numbers).at(1);
+  const studies::FlutterStudy flutter = studies::flutter_study(beam, {8, 12, 16});
+  for (std::size_t i = 0; i < flutter.elements.size(); ++i)
+    EXPECT_TRUE(within(flutter.relative_error()[i], beck.on_mesh(flutter.elements[i]).real(),
+                       reference(2e-10, "the bisection, 1e-9 of 20.05")));
+  EXPECT_TRUE(
+      within(flutter.observed_order.order, 4.0, discretisation(std::abs(beck.next) / 64.0, 5.0, "next")));
+
+  // So few points that modes have another sign at the second one.
+  for (const auto& curve : studies::mode_shape_study(beam, 12, 20, 13).curves) {
+    EXPECT_GT(curve.closed_form[1], 0.0) << curve.mode;
+    EXPECT_GT(curve.finite_element[1], 0.0) << curve.mode;
+  }
+}
 
 using studies::ManufacturedTip;
 using studies::PredictedErrors;
+using Shares = std::vector<double>;
 
-// Relative, on each level: what the next terms, twice the time steps and anything else may add.
-std::vector<double> allowance(const std::vector<double>& next_term, double margin,
-                              const std::vector<double>& temporal_share = {}, double other_share = 0.0) {
-  std::vector<double> sum;
+// What the next terms, twice the time steps and anything else may add on each level.
+Shares allowance(const Shares& next_term, double margin, const Shares& temporal_share = {},
+                 double other_share = 0.0) {
+  Shares sum;
   for (std::size_t i = 0; i < next_term.size(); ++i)
     sum.push_back(margin * next_term[i] + other_share +
                   (temporal_share.empty() ? 0.0 : 2.0 * temporal_share[i]));
   return sum;
 }
 
-std::vector<OrderLevel> levels(const std::vector<double>& steps, const PredictedErrors& errors,
-                               const std::vector<double>& next_terms) {
-  std::vector<OrderLevel> all;
-  for (std::size_t i = 0; i < steps.size(); ++i)
-    all.push_back({.step = steps[i],
-                   .error = errors.error.at(i),
-                   .next_term = next_terms.at(i),
-                   .floor = errors.floor.at(i)});
-  return all;
-}
-
-// On every level the error is the predicted one, to within the relative allowance.
-void expect_predicted(const PredictedErrors& errors, const std::vector<double>& allowed,
-                      const std::string& what) {
-  ASSERT_EQ(errors.predicted.size(), errors.error.size());
-  for (std::size_t i = 0; i < errors.error.size(); ++i)
-    EXPECT_TRUE(within(errors.error[i] / errors.predicted[i], 1.0,
-                       discretisation(allowed[i], 1.0, "terms behind the leading one")))
+// The errors fall with the order, and are the predicted ones where there are some, to within the shares.
+void expect_order(const char* what, const std::vector<double>& steps, const PredictedErrors& errors,
+                  double order, const Shares& of_order, const Shares& of_prediction) {
+  std::vector<OrderLevel> levels;
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    levels.push_back({steps[i], errors.error.at(i), of_order.at(i), errors.floor.at(i)});
+    if (errors.predicted.empty()) continue;
+    EXPECT_TRUE(within(errors.error[i] / errors.predicted.at(i), 1.0,
+                       discretisation(of_prediction.at(i), 1.0, "terms behind the leading one")))
         << what << ", level " << i;
+  }
+  EXPECT_TRUE(order_is(levels, order)) << what;
+  EXPECT_TRUE(within(errors.order.order, order,
+                     discretisation(order_bound(levels).slope, 1.0, "what the next terms do to the slope")))
+      << what;
 }
 
 // What the elements add to the interpolant, E, is a difference of a particular and a free part, each a few
 // times as large: hence four times the share of the next terms wherever it enters.
-void expect_orders_and_constants_in_space(ManufacturedTip tip, double load_factor) {
+void expect_orders_in_space(ManufacturedTip tip, double load_factor) {
   const auto study = studies::manufactured_space_errors(paper_beam(), tip, load_factor, {4, 6, 8, 12, 16});
   const double coupling = study.friction_coupling.value_or(0.0);
-  const auto deflection = allowance(study.next_term, 4.0, study.temporal_share, 0.25 * coupling);
-  EXPECT_TRUE(order_is(levels(study.element_length, study.deflection, deflection), 4.0));
-  expect_predicted(study.deflection, deflection, "deflection");
-
-  auto slope = allowance(study.next_term, 4.0);
-  expect_predicted(study.slope, slope, "slope");
-  for (std::size_t i = 0; i < slope.size(); ++i) slope[i] += study.nodal_share_of_slope[i];
-  EXPECT_TRUE(order_is(levels(study.element_length, study.slope, slope), 3.0));
-
-  EXPECT_TRUE(order_is(levels(study.element_length, study.curvature, allowance(study.next_term, 1.0)), 2.0));
-  std::vector<double> curvature;
-  for (const double next : study.next_term) curvature.push_back(next * next);
-  expect_predicted(study.curvature, curvature, "curvature");
-
+  const auto& lengths = study.element_length;
+  const Shares four = allowance(study.next_term, 4.0),
+               deflection = allowance(study.next_term, 4.0, study.temporal_share, 0.25 * coupling);
+  Shares slope = four, squares;
+  for (std::size_t i = 0; i < slope.size(); ++i) {
+    slope[i] += study.nodal_share_of_slope[i];
+    squares.push_back(study.next_term[i] * study.next_term[i]);
+  }
+  expect_order("deflection", lengths, study.deflection, 4.0, deflection, deflection);
+  expect_order("slope", lengths, study.slope, 3.0, slope, four);
+  expect_order("curvature", lengths, study.curvature, 2.0, study.next_term, squares);
   if (tip != ManufacturedTip::stick) {
-    const auto tip_deflection = allowance(study.next_term, 4.0, study.temporal_share, coupling);
-    EXPECT_TRUE(order_is(levels(study.element_length, study.tip_deflection, tip_deflection), 4.0));
-    expect_predicted(study.tip_deflection, tip_deflection, "tip");
+    const Shares at_tip = allowance(study.next_term, 4.0, study.temporal_share, coupling);
+    expect_order("tip", lengths, study.tip_deflection, 4.0, at_tip, at_tip);
   }
   if (tip != ManufacturedTip::slip) {
-    const auto force = allowance(study.next_term, 4.0, study.temporal_share_of_force, coupling);
-    EXPECT_TRUE(order_is(levels(study.element_length, study.force, force), 4.0));
-    if (tip == ManufacturedTip::stick) expect_predicted(study.force, force, "force");
+    const Shares force = allowance(study.next_term, 4.0, study.temporal_share_of_force, coupling);
+    expect_order("force", lengths, study.force, 4.0, force, force);
     // The rounding of a third derivative grows with the cube of the number of elements, from 4 to 16 of them; that of the
     // steps, which grows less, is 8.5 % of it or less.
     EXPECT_GT(study.force.floor.back() / study.force.floor.front(), 64.0 * (1.0 - 0.085));
   }
 }
 
-constexpr std::array<std::pair<ManufacturedTip, const char*>, 3> tips{
-    {{ManufacturedTip::stick, "stick"},
-     {ManufacturedTip::slip, "slip"},
-     {ManufacturedTip::friction, "friction"}}};
-
 STICKSLIP_VERIFIES(ManufacturedSpace, "F10");
-TEST(ManufacturedSpace, ConvergesWithThePredictedOrdersAndConstants) {
-  for (const auto& [tip, name] : tips)
+TEST(ManufacturedSpace, HasThePredictedOrdersAndConstants) {
+  for (const auto tip : {ManufacturedTip::stick, ManufacturedTip::slip, ManufacturedTip::friction})
     for (const double load_factor : {-10.0, 0.0, 10.0}) {
-      SCOPED_TRACE(fmt::format("{} {}", name, load_factor));
-      expect_orders_and_constants_in_space(tip, load_factor);
+      SCOPED_TRACE(fmt::format("{} {}", to_string(tip), load_factor));
+      expect_orders_in_space(tip, load_factor);
     }
 }
 
 // 2 d w h + w T (w h)^2/24 = a h + b h^2 with the same w in a and b.
-void expect_next_terms(const std::vector<double>& h, const std::vector<double>& next_term, double radius) {
+void expect_next_terms(const std::vector<double>& h, const Shares& next_term, double radius) {
   const double b = (next_term.front() / h.front() - next_term.back() / h.back()) / (h.front() - h.back());
   const double a = next_term.back() / h.back() - b * h.back(), d = (1.0 - radius) / (1.0 + radius);
-  EXPECT_NEAR(radius < 1.0 ? std::pow(0.5 * a / d, 3) * 1000.0 * h.front() / 24.0 : b + a / h.front(), b,
-              1e-9 * b);
+  EXPECT_TRUE(within(radius < 1.0 ? std::pow(0.5 * a / d, 3) * 1000.0 * h.front() / 24.0 : b + a / h.front(),
+                     b, round_off(10, h.front() / h.back() * 1e4, b)));
 }
 
-void expect_order_and_constant_in_time(ManufacturedTip tip, double load_factor, double radius) {
+void expect_orders_in_time(ManufacturedTip tip, double load_factor, double radius) {
   const auto study =
       studies::manufactured_time_errors(paper_beam(), tip, load_factor, radius, {1000, 2000, 4000, 8000});
+  const auto& steps = study.time_step;
   const auto& all_modes = study.next_term_of_all_modes;
-  expect_next_terms(study.time_step, study.next_term, radius);
-  expect_next_terms(study.time_step, all_modes, radius);
-  EXPECT_EQ(study.displacement.order.order,
-            studies::observed_order(study.time_step, study.displacement.error));
-  if (tip == ManufacturedTip::friction) {
-    EXPECT_TRUE(order_is(levels(study.time_step, study.displacement, all_modes), 2.0));
-    // At a spectral radius of 0 the leading terms of velocity and force nearly vanish here.
-    if (radius == 0.0) return;
-    EXPECT_TRUE(order_is(levels(study.time_step, study.velocity, all_modes), 2.0));
-    EXPECT_TRUE(order_is(levels(study.time_step, study.force, all_modes), 2.0));
-    return;
-  }
-  EXPECT_TRUE(order_is(levels(study.time_step, study.displacement, study.next_term), 2.0));
-  expect_predicted(study.displacement, study.next_term, "displacement");
-  EXPECT_TRUE(order_is(levels(study.time_step, study.velocity, all_modes), 2.0));
-  if (tip != ManufacturedTip::stick) return;
+  expect_next_terms(steps, study.next_term, radius);
+  expect_next_terms(steps, all_modes, radius);
+  const bool has_friction = tip == ManufacturedTip::friction;
+  expect_order("displacement", steps, study.displacement, 2.0, has_friction ? all_modes : study.next_term,
+               study.next_term);
+  // At a spectral radius of 0 the leading terms of velocity and force nearly vanish with friction.
+  if (has_friction && radius == 0.0) return;
+  expect_order("velocity", steps, study.velocity, 2.0, all_modes, {});
+  if (tip == ManufacturedTip::slip) return;
   // All modes count in the force. A mode's leading term has the factor cos(w T) - cos(omega T), which may be
   // small where the slope of cos(w T), by which the phase drifts, is not.
-  const auto force = allowance(all_modes, 3.0);
-  EXPECT_TRUE(order_is(levels(study.time_step, study.force, force), 2.0));
-  expect_predicted(study.force, force, "force");
+  const Shares force = has_friction ? all_modes : allowance(all_modes, 3.0);
+  expect_order("force", steps, study.force, 2.0, force, force);
 }
 
 STICKSLIP_VERIFIES(ManufacturedTime, "F10");
 TEST(ManufacturedTime, IsOfOrderTwoWithThePredictedConstant) {
-  for (const auto& [tip, name] : tips)
+  for (const auto tip : {ManufacturedTip::stick, ManufacturedTip::slip, ManufacturedTip::friction})
     for (const double load_factor : {-10.0, 10.0})
       for (const double radius : {0.0, 0.9, 1.0}) {
-        SCOPED_TRACE(fmt::format("{} {} radius {}", name, load_factor, radius));
-        expect_order_and_constant_in_time(tip, load_factor, radius);
+        SCOPED_TRACE(fmt::format("{} {} radius {}", to_string(tip), load_factor, radius));
+        expect_orders_in_time(tip, load_factor, radius);
       }
 }
 

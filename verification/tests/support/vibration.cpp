@@ -7,7 +7,7 @@
 
 namespace stickslip::testing {
 
-double finite_element_steady_force(const data::Case& problem, int elements) {
+std::complex<double> finite_element_steady_reaction(const data::Case& problem, int elements) {
   const solver::BeamModel model(problem.beam, elements);
   const double omega = 2.0 * std::numbers::pi * problem.excitation.frequency_hz();
   const double amplitude = problem.excitation.amplitude();
@@ -27,7 +27,11 @@ double finite_element_steady_force(const data::Case& problem, int elements) {
   held(tip, tip) = 1.0;
   right[tip] = -amplitude;
   const Eigen::VectorXcd u = held.partialPivLu().solve(right);
-  return std::abs((dynamic.row(tip) * u)(0) - load[tip]);
+  return load[tip] - (dynamic.row(tip) * u)(0);
+}
+
+double finite_element_steady_force(const data::Case& problem, int elements) {
+  return std::abs(finite_element_steady_reaction(problem, elements));
 }
 
 }  // namespace stickslip::testing

@@ -3,6 +3,7 @@
 
 /// The steady vibration of the beam on a moving base.
 
+#include <complex>
 #include <numbers>
 #include <string>
 
@@ -35,9 +36,10 @@ struct Vibration {
   }
 };
 
-/// The amplitude of f (N) by finite elements in the steady vibration with the tip held: the row of the tip of
-/// (K + i Omega C - Omega^2 M) u = Omega^2 A0 b with u(L) = -A0. The error falls with the fourth power of the
-/// element length.
+/// f (N) by finite elements in the steady vibration with the tip held, with its phase against the base: less the row of the tip
+/// of (K + i Omega C - Omega^2 M) u = Omega^2 A0 b with u(L) = -A0.
+[[nodiscard]] std::complex<double> finite_element_steady_reaction(const data::Case& problem, int elements);
+/// Its amplitude.
 [[nodiscard]] double finite_element_steady_force(const data::Case& problem, int elements);
 
 /// Of point i of n + 1 in Simpson's rule, to be multiplied by a third of the distance.
