@@ -42,18 +42,6 @@ analytic::ContactModel jumping_belt(const Belt& belt) {
 }
 
 STICKSLIP_VERIFIES(MovingWall, "W1");
-TEST(MovingWall, IsLeftBehindByAMassThatSlidesSteadily) {
-  const Belt belt;
-  analytic::ContactModel model = jumping_belt(belt);
-  analytic::EventDriven run(model);
-  const double rest = belt.kinetic_coefficient * belt.normal_force / belt.stiffness;
-  run.start_slipping({}, {}, rest, -belt.speed);
-  run.advance_to(3.0);
-  EXPECT_TRUE(within(run.contact_displacement(), rest, round_off(1000, 1, rest)));
-  EXPECT_TRUE(within(run.contact_position(), rest - 3.0 * belt.speed, round_off(1000, 1, 1.0)));
-  EXPECT_TRUE(within(run.sliding_velocity(), -belt.speed, round_off(1000, 1, belt.speed)));
-}
-
 TEST(MovingWall, LeavesNothingUnexplainedInTheEnergyBalance) {
   const Belt belt;
   analytic::EventDriven run(jumping_belt(belt), {.keep_energy_balance = true});
