@@ -71,7 +71,7 @@ void expect_in_the_last_places(const std::vector<double>& computed, const data::
 }
 
 STICKSLIP_VERIFIES(EnclosedFrequencies, "X19");
-TEST(EnclosedFrequencies, OfTheStickStateAgreeToTheLastPlaces) {
+TEST(EnclosedFrequencies, AgreeInStick) {
   // Ten roundings: EI, rho A, their quotient, its root, L^2, z, b, bb, the product, 2 pi.
   on_beams([&](const data::Beam& beam) {
     const auto exact = certified::stick_modes(exactly(beam), mode_count);
@@ -88,7 +88,7 @@ TEST(EnclosedFrequencies, OfTheStickStateAgreeToTheLastPlaces) {
   });
 }
 
-TEST(EnclosedFrequencies, OfTheSlipStateAgreeToTheLastPlaces) {
+TEST(EnclosedFrequencies, AgreeInSlip) {
   const auto enclosed = [](const certified::Beam& beam) {
     return certified::slip_frequencies(beam, mode_count);
   };
@@ -100,7 +100,7 @@ TEST(EnclosedFrequencies, OfTheSlipStateAgreeToTheLastPlaces) {
   });
 }
 
-TEST(EnclosedFrequencies, OfBucklingAndFlutterAgree) {
+TEST(EnclosedFrequencies, AgreeOfBucklingAndFlutter) {
   const data::Beam beam = paper_beam();
   const certified::Beam exact = exactly(beam);
   EXPECT_TRUE(within_round_off(analytic::stick_buckling_load(beam), certified::buckling_load(exact), 5, 1));
@@ -110,7 +110,7 @@ TEST(EnclosedFrequencies, OfBucklingAndFlutterAgree) {
                      reference(1e-12 * computed, "the flutter load in doubles")));
 }
 
-TEST(EnclosedFrequencies, OfTheStickStateAreBoundsBelowFiniteElements) {
+TEST(EnclosedFrequencies, AreBelowFiniteElements) {
   // Hermite elements with the consistent mass are a Ritz method.
   on_beams([](const data::Beam& beam) {
     const auto exact = certified::stick_modes(exactly(beam), 5);
@@ -121,7 +121,7 @@ TEST(EnclosedFrequencies, OfTheStickStateAreBoundsBelowFiniteElements) {
 }
 
 STICKSLIP_VERIFIES(EnclosedShapes, "X19");
-TEST(EnclosedShapes, OfTheModesAgreeToTheLastPlaces) {
+TEST(EnclosedShapes, AgreeInModes) {
   on_beams([&](const data::Beam& beam) {
     const auto exact = certified::stick_modes(exactly(beam), mode_count);
     const auto modes = analytic::stick_modes(beam, mode_count);
@@ -144,7 +144,7 @@ TEST(EnclosedShapes, OfTheModesAgreeToTheLastPlaces) {
   });
 }
 
-TEST(EnclosedShapes, OfTheParticipationsAgreeToTheLastPlaces) {
+TEST(EnclosedShapes, AgreeInParticipations) {
   const auto enclosed = [](const certified::Beam& beam) {
     std::vector<Real> values;
     for (const auto& mode : certified::stick_modes(beam, mode_count)) values.push_back(mode.participation);
@@ -157,7 +157,7 @@ TEST(EnclosedShapes, OfTheParticipationsAgreeToTheLastPlaces) {
   });
 }
 
-TEST(EnclosedShapes, OfTheStaticDeflectionAgreeToTheLastPlaces) {
+TEST(EnclosedShapes, AgreeInStaticDeflection) {
   on_beams([&](const data::Beam& beam) {
     const certified::QuasiStaticShape exact(exactly(beam));
     const analytic::QuasiStaticShape shape(beam);
@@ -201,7 +201,7 @@ double history_scale(const analytic::StickResponse& response, double omega, doub
 }
 
 STICKSLIP_VERIFIES(EnclosedResponse, "X19");
-TEST(EnclosedResponse, InDisplacementAndForceAgreesToTheLastPlaces) {
+TEST(EnclosedResponse, AgreesInMotionAndForce) {
   on_beams([&](const data::Beam& beam) {
     const data::HarmonicExcitation excitation = shaken(beam);
     const analytic::StickResponse response(beam, excitation, mode_count);
@@ -229,7 +229,7 @@ TEST(EnclosedResponse, InDisplacementAndForceAgreesToTheLastPlaces) {
 }
 
 STICKSLIP_VERIFIES(EnclosedMaximum, "X19");
-TEST(EnclosedMaximum, MatchesCriticalAmplitudeAndVerdict) {
+TEST(EnclosedMaximum, MatchesAmplitudeAndVerdict) {
   for (const double hz : {15.0, 25.0, 35.0, 70.0}) {
     const data::HarmonicExcitation excitation({.frequency_hz = hz, .amplitude = 0.5e-3});
     const auto criterion = analytic::evaluate_criterion(paper_beam(), paper_friction(), excitation, 10.0);
@@ -253,7 +253,7 @@ Complex enclosed_mobility(const data::Beam& beam, double eta, Complex s) {
 }
 
 STICKSLIP_VERIFIES(EnclosedTipMobility, "X19");
-TEST(EnclosedTipMobility, AgreesToTheLastPlacesThatPolesAndPhasesLeave) {
+TEST(EnclosedTipMobility, AgreesAsFarAsPolesAllow) {
   // a = -z + 2 k and b = -z - 2 k are rounded to eps (|z| + 2 |k|), which is as much in z and half of it in
   // k. The density moves k alone, k dY/dk = 2 rho dY/d rho, the axial force z. Ten roundings: EI, rho A, 1 +
   // eta s, D, their quotient, its root, L^2, k, a, Phi(a). The last sizes are k = |z|/2, where l_1 =

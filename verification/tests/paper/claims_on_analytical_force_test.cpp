@@ -271,7 +271,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 // ---- The others
 
-TEST(ClaimOnEquation13, TheStaticShapeIsInEquilibriumWithoutInertia) {
+TEST(Equation13, StaticShapeIsInEquilibrium) {
   const solver::BeamModel model(paper().beam, 20);
   const Eigen::VectorXd mesh = model.unit_tip_deflection();
   const double residual = static_shape_residual(),
@@ -293,7 +293,7 @@ double cubic(double x, int k) {
                   : -3.0 * (1.0 - xi) / (l * l);
 }
 
-TEST(ClaimOnEquation18, SolvesEquation16RatherThan15) {
+TEST(Equation18, SolvesEquation16RatherThan15) {
   // Eq. (15) with (17) is satisfied by a cubic just as well: it is Eq. (16) that picks Eq. (18).
   const double allowed = static_shape_round_off().value;
   const bool both_satisfy_17 =
@@ -319,7 +319,7 @@ double percent_apart(const analytic::StickResponse& a, const analytic::StickResp
          largest(times(), [&](double t) { return quantity(b, t); });
 }
 
-TEST(ClaimOnEquation21, TheSumOverModesConverges) {
+TEST(Equation21, TheSumOverModesConverges) {
   const analytic::StickResponse all = response(200, analytic::SteadyPart::exact);
   const double ten = percent_apart(response(10), all, force_at),
                forty = percent_apart(response(40), all, force_at),
@@ -328,14 +328,14 @@ TEST(ClaimOnEquation21, TheSumOverModesConverges) {
         "10, 40 and 160 modes are off by {:.2f}, {:.3f} and {:.4f} %", ten, forty, many);
 }
 
-TEST(ClaimOnEquation21, TenModesAreConverged) {
+TEST(Equation21, TenModesAreConverged) {
   const double y = percent_apart(response(10), response(20), midspan_at),
                f = percent_apart(response(10), response(20), force_at);
   judge("eq21.ten-modes", {.as_printed = y < 1.0 && f < 1.0},
         "y(L/2,t) changes by {:.4f} % and f(t) by {:.2f} %", y, f);
 }
 
-TEST(ClaimOnEquation23, WithoutAxialForceItIsTheClampedPinnedBeam) {
+TEST(Equation23, WithoutForceIsThatOfAClampedBeam) {
   constexpr double tabulated[] = {3.926602, 7.068583, 10.210176};
   double numbers = 0.0, shapes = 0.0;
   for (const auto& mode : analytic::stick_modes(paper_beam_with_axial_force(0.0), 3)) {
@@ -366,7 +366,7 @@ double modal_residual() {
   });
 }
 
-TEST(ClaimOnEquation26, SolvesTheModalEquationFromRest) {
+TEST(Equation26, SolvesTheModalEquationFromRest) {
   const double start = largest(modes_of_the_paper(3), [](const analytic::StickMode& mode) {
     return std::hypot(printed_coordinate(mode, 0.0), printed_coordinate(mode, 0.0, 1) / omega) / amplitude;
   });
@@ -382,7 +382,7 @@ double force_max(double at_hz, double at_amplitude = amplitude) {
       .midpoint();
 }
 
-TEST(ClaimOnEquation28, TheForceIsProportionalToTheAmplitude) {
+TEST(Equation28, ForceIsProportionalToAmplitude) {
   const double closed_form = largest(std::array{15.0, 35.0, 70.0}, [&](double at) {
     return largest(std::array{0.02, 6.0}, [&](double factor) {
       return force_max(at, factor * amplitude) / (factor * force_max(at)) - 1.0;
@@ -397,7 +397,7 @@ TEST(ClaimOnEquation28, TheForceIsProportionalToTheAmplitude) {
         closed_form, ratio);
 }
 
-TEST(ClaimOnEquation28, TheForceIsAmplifiedAtEveryNaturalFrequency) {
+TEST(Equation28, IsAmplifiedAtNaturalFrequencies) {
   // The steady amplitude grows as 1/(1 - Omega/omega_n): ten times as near, ten times as large.
   const Modes modes = modes_of_the_paper(5);
   double least = std::numeric_limits<double>::infinity();
@@ -422,12 +422,12 @@ void judge_fit(const std::string& claim, double difference, double peak) {
         100 * difference / peak);
 }
 
-TEST(ClaimOnFigure9, TheDisplacementFitsVeryWell) {
+TEST(Figure9, TheDisplacementFitsVeryWell) {
   const auto study = studies::stick_history_study(paper_problem(hz, amplitude), 1);
   judge_fit("fig9.displacement", study.levels[0].displacement_error, study.displacement_peak);
 }
 
-TEST(ClaimOnFigure9, TheForceFitsVeryWell) {
+TEST(Figure9, TheForceFitsVeryWell) {
   const auto study = studies::stick_history_study(paper_problem(hz, amplitude), 1);
   judge_fit("fig9.force", study.levels[0].force_error, study.force_peak);
 }

@@ -54,7 +54,7 @@ double force_max(double hz, double duration = 10.0) {
 
 // ---- The criterion
 
-TEST(ClaimInAbstract, OccurrenceIsAssociatedWithTheModes) {
+TEST(Abstract, OccurrenceIsAssociatedWithTheModes) {
   const auto hz = evenly_spaced(2.0, 120.0, 1.0);
   const auto critical = at_each(hz, [](double at) { return critical_amplitude(at); });
   std::vector<double> minima;
@@ -69,14 +69,14 @@ TEST(ClaimInAbstract, OccurrenceIsAssociatedWithTheModes) {
 // Frequencies off and near resonance, for both sides of the criterion.
 constexpr std::array probes{10.0, 20.0, 28.0, 45.0, 78.0, 115.0};
 
-TEST(ClaimOnEquation29, BelowTheLimitTheTipNeverSlips) {
+TEST(Equation29, BelowTheLimitTheTipNeverSlips) {
   const auto slips = std::ranges::count_if(
       probes, [](double hz) { return finite_elements_slip(hz, 0.95 * critical_amplitude(hz)); });
   judge("eq29", {.as_printed = slips == 0}, "finite elements slip at {} of {} frequencies", slips,
         probes.size());
 }
 
-TEST(ClaimOnEquation30, AboveTheLimitTheTipSticksAndSlips) {
+TEST(Equation30, AboveTheLimitTheTipSticksAndSlips) {
   const auto sticks_again = std::ranges::count_if(probes, [](double hz) {
     solver::BeamSimulation run = run_at(hz, 1.05 * critical_amplitude(hz));
     for (long n = solver::step_count(10.0, paper().numerics.time_step());
@@ -89,7 +89,7 @@ TEST(ClaimOnEquation30, AboveTheLimitTheTipSticksAndSlips) {
         "finite elements slip and stick again at {} of {} frequencies", sticks_again, probes.size());
 }
 
-TEST(ClaimOnFigure10, TenSecondsHoldTheMaximumOffResonance) {
+TEST(Figure10, TenSecondsHoldItOffResonance) {
   const auto growth =
       at_each({15.0, 35.0, 70.0, 25.0}, [](double hz) { return force_max(hz, 100.0) / force_max(hz); });
   // Beating with the first mode, 24.972 Hz, at 0.028 Hz: the envelope turns after half a beat.
@@ -102,12 +102,12 @@ TEST(ClaimOnFigure10, TenSecondsHoldTheMaximumOffResonance) {
         fmt::join(growth, ", "), beat);
 }
 
-TEST(ClaimOnFigure10, MuSPIs300N) {
+TEST(Figure10, MuSPIs300N) {
   judge("fig10.friction-limit", {.as_printed = std::abs(friction_limit() - 300.0) < 1e-9},
         "mu_s P = {:.1f} N", friction_limit());
 }
 
-TEST(ClaimOnFigure10, TheMaximumGrowsWithTheAmplitude) {
+TEST(Figure10, TheMaximumGrowsWithTheAmplitude) {
   const double departure = largest(probes, [](double hz) {
     const auto at = [hz](double a) {
       return solver::max_abs_friction_force(with(paper(), excitation(hz, a)));
@@ -119,7 +119,7 @@ TEST(ClaimOnFigure10, TheMaximumGrowsWithTheAmplitude) {
         departure);
 }
 
-TEST(ClaimOnFigure10, TheMaximumGenerallyGrowsWithTheFrequency) {
+TEST(Figure10, MaximumGrowsWithTheFrequency) {
   const auto force = at_each(evenly_spaced(5.0, 120.0, 5.0), [](double hz) { return force_max(hz); });
   const double correlation = rank_correlation(force);
   judge("fig10.grows-with-frequency", {.as_printed = correlation > 0.5},
@@ -127,7 +127,7 @@ TEST(ClaimOnFigure10, TheMaximumGenerallyGrowsWithTheFrequency) {
         correlation);
 }
 
-TEST(ClaimOnFigure10, MaximumIsAmplifiedAtTheNaturalFrequencies) {
+TEST(Figure10, IsAmplifiedAtNaturalFrequencies) {
   const auto ratio = at_each({natural_hz(1), natural_hz(2)}, [](double hz) {
     return force_max(hz) / std::max(force_max(hz - 5.0), force_max(hz + 5.0));
   });
@@ -148,12 +148,12 @@ void judge_printed_force(const std::string& claim, double hz) {
              : fmt::format("no step that was tried returns {} N", printed.printed));
 }
 
-TEST(ClaimOnFigure10, PointAHas40_38NForSomeSampling) { judge_printed_force("fig10.point-a", 15.0); }
-TEST(ClaimOnFigure10, PointBHas254_87NForSomeSampling) { judge_printed_force("fig10.point-b", 35.0); }
-TEST(ClaimOnFigure10, PointCHas30300NForSomeSampling) { judge_printed_force("fig10.point-c", 25.0); }
-TEST(ClaimOnFigure10, PointDHas977_54NForSomeSampling) { judge_printed_force("fig10.point-d", 70.0); }
+TEST(Figure10, PointAHas40_38NForSomeSampling) { judge_printed_force("fig10.point-a", 15.0); }
+TEST(Figure10, PointBHas254_87NForSomeSampling) { judge_printed_force("fig10.point-b", 35.0); }
+TEST(Figure10, PointCHas30300NForSomeSampling) { judge_printed_force("fig10.point-c", 25.0); }
+TEST(Figure10, PointDHas977_54NForSomeSampling) { judge_printed_force("fig10.point-d", 70.0); }
 
-TEST(ClaimOnFigure11, BelowTheLineIsStickAndAboveItStickSlip) {
+TEST(Figure11, StickIsBelowTheLineSlipAboveIt) {
   int right = 0, all = 0;
   for (const double hz : evenly_spaced(5.0, 120.0, 5.0))
     for (const double share : {0.2, 0.9, 0.999, 1.001, 1.1, 5.0}) {
@@ -163,7 +163,7 @@ TEST(ClaimOnFigure11, BelowTheLineIsStickAndAboveItStickSlip) {
   judge("fig11.regions", {.as_printed = right == all}, "{} of {} points are on the right side", right, all);
 }
 
-TEST(ClaimOnFigure11, SmallAmplitudesSufficeAtResonance) {
+TEST(Figure11, SmallAmplitudesSufficeAtResonance) {
   const std::vector<double> hz{natural_hz(1), natural_hz(2)};
   const auto critical = at_each(hz, [](double at) { return mm(critical_amplitude(at)); });
   const bool slip = std::ranges::all_of(hz, [](double at) { return finite_elements_slip(at, 0.01e-3); });
@@ -172,7 +172,7 @@ TEST(ClaimOnFigure11, SmallAmplitudesSufficeAtResonance) {
         fmt::join(hz, " and "));
 }
 
-TEST(ClaimOnFigure12, TheAnalyticalAndNumericalSolutionsAgree) {
+TEST(Figure12, BothImplementationsAgree) {
   // One frequency in three and one amplitude in four of the figure's grid.
   const auto study = studies::classification_study(paper(), evenly_spaced(10.0, 120.0, 15.0),
                                                    {0.1e-3, 0.3e-3, 0.5e-3, 0.7e-3, 0.9e-3});
@@ -183,7 +183,7 @@ TEST(ClaimOnFigure12, TheAnalyticalAndNumericalSolutionsAgree) {
         study.disagreeing_outside);
 }
 
-TEST(ClaimOnFigure12, TheClosedFormReplacesTimeConsumingSimulations) {
+TEST(Figure12, ClosedFormReplacesSimulations) {
   const auto search = studies::critical_amplitude_searches(paper(), {70.0}, 0.01e-3, 1e-3).front();
   const double critical = critical_amplitude(70.0), found = search.searched.value_or(0.0);
   judge("fig12.instead-of-simulations",
@@ -208,15 +208,15 @@ void judge_printed_frequencies(const std::string& claim, const data::Beam& beam,
   judge(claim, {.as_printed = holds}, "in closed form and on 20 elements: {:.4f} Hz", fmt::join(found, ", "));
 }
 
-TEST(ClaimOnFigure7, TheNaturalFrequenciesAre25_0And81_1Hz) {
+TEST(Figure7, FrequenciesAre25_0And81_1Hz) {
   judge_printed_frequencies("fig7.frequencies", paper().beam, 2, "figure7");
 }
 
-TEST(ClaimOnFigure13, TheNaturalFrequenciesAre17_6And57_3And119_6Hz) {
+TEST(Figure13, FrequenciesAre17_6And57_3And119_6Hz) {
   judge_printed_frequencies("fig13.natural-frequencies", half_stiff_beam(), 3, "half_stiffness");
 }
 
-TEST(ClaimOnFigure7, ModalAnalysisGivesTheModesOfBothStates) {
+TEST(Figure7, HasTheModesOfBothStates) {
   using Curve = studies::ModeShapeStudy::Curve;
   const auto curves = studies::mode_shape_study(paper().beam, 3, 20, 101).curves;
   const double shapes = largest(curves, &Curve::largest_difference),
@@ -228,7 +228,7 @@ TEST(ClaimOnFigure7, ModalAnalysisGivesTheModesOfBothStates) {
 
 // ---- Fig. 13: half of the rigidity
 
-TEST(ClaimOnFigure13, ItsNaturalFrequenciesAreLower) {
+TEST(Figure13, ItsNaturalFrequenciesAreLower) {
   const auto ratio = at_each({1, 2, 3}, [](double mode) {
     return natural_hz(static_cast<int>(mode), half_stiff_beam()) / natural_hz(static_cast<int>(mode));
   });
@@ -267,7 +267,7 @@ const ScaledComparison& scaled_comparison() {
   return comparison;
 }
 
-TEST(ClaimOnFigure13, ScalingPutsTheResonancesInTheSamePlaces) {
+TEST(Figure13, ScalingAlignsTheResonances) {
   const ScaledComparison& c = scaled_comparison();
   judge("fig13.scaled-axis", {.as_printed = std::abs(c.second_half / c.second_whole - 1.0) < 0.01},
         "the second ones stand at {:.2f} and {:.2f} Hz", c.second_half, c.second_whole);
@@ -286,15 +286,15 @@ void judge_that_the_softer_beam_resists(const std::string& claim) {
         c.larger(), sorted.size(), sorted[sorted.size() / 2], c.second_half, c.second_whole);
 }
 
-TEST(ClaimOnFigure13, CriticalAmplitudeIsLargerOffResonance) {
+TEST(Figure13, SofterBeamResistsOffResonance) {
   judge_that_the_softer_beam_resists("fig13.larger-critical-amplitude");
 }
 
-TEST(ClaimInConclusions, LowerRigidityIsMoreStableOffResonance) {
+TEST(Conclusions, SofterBeamResistsOffResonance) {
   judge_that_the_softer_beam_resists("sect6.lower-rigidity");
 }
 
-TEST(ClaimOnFigure13, LowRigidityResistsAtNormalisedFrequencyOnly) {
+TEST(Figure13, SofterBeamResistsNotInHertz) {
   // As it stands: at the same excitation.
   const studies::SofterBeam same_hz = studies::softer_beam(paper(), 120);
   const auto ratio = [](double hz) {
@@ -318,7 +318,7 @@ TEST(ClaimOnFigure13, LowRigidityResistsAtNormalisedFrequencyOnly) {
         scaled.ratio.size());
 }
 
-TEST(ClaimInConclusions, StickSlipIsReadierTowardsResonance) {
+TEST(Conclusions, SlipIsReadierTowardsResonance) {
   int falls = 0;
   for (const int mode : {1, 2})
     for (const double side : {-1.0, 1.0})
@@ -348,7 +348,7 @@ struct Curve {
   std::vector<double> closed_form, mesh;
 };
 
-TEST(ClaimOnFigure6, TheSearchFindsTheCriticalAmplitudes) {
+TEST(Figure6, TheSearchFindsTheCriticalAmplitudes) {
   // The paper's procedure, at three frequencies that do not take many runs.
   const auto searches = studies::critical_amplitude_searches(paper(), {25.0, 70.0, 85.0}, 0.01e-3, 1e-3);
   bool within_an_increment = true;
@@ -362,7 +362,7 @@ TEST(ClaimOnFigure6, TheSearchFindsTheCriticalAmplitudes) {
         fmt::join(words, "; "));
 }
 
-TEST(ClaimOnFigure6, CriticalAmplitudeFallsWithFrequency) {
+TEST(Figure6, CriticalAmplitudeFallsWithFrequency) {
   const Curve c(studies::figure6_frequencies());
   judge("fig6.generally-decreases",
         {.as_printed = c.both([](const auto& a) { return rank_correlation(a) < -0.5; })},
@@ -371,14 +371,14 @@ TEST(ClaimOnFigure6, CriticalAmplitudeFallsWithFrequency) {
         c.mesh.front(), c.mesh.back(), rank_correlation(c.mesh), rank_correlation(c.closed_form));
 }
 
-TEST(ClaimOnFigure6, CriticalAmplitudeIsExtremelySmallAt25Hz) {
+TEST(Figure6, AmplitudeIsExtremelySmallAt25Hz) {
   const Curve c({20.0, 25.0, 30.0});
   judge("fig6.25-extremely-small",
         {.as_printed = c.both([](const auto& a) { return 10.0 * a[1] < std::min(a[0], a[2]); })},
         "at 20, 25 and 30 Hz it is {}", c.text());
 }
 
-TEST(ClaimOnFigure6, CriticalAmplitudeHasADeepValleyAt80Hz) {
+TEST(Figure6, AmplitudeHasADeepValleyAt80Hz) {
   const Curve c({75.0, 80.0, 85.0, 90.0});
   // Slight: down to no less than half of the lower neighbour.
   const auto slight_at_85 = [](const auto& a) {
@@ -389,7 +389,7 @@ TEST(ClaimOnFigure6, CriticalAmplitudeHasADeepValleyAt80Hz) {
         "at 75, 80, 85 and 90 Hz it is {}", c.text());
 }
 
-TEST(ClaimOnFigure6, SmallAmplitudesAreAt25And80Hz) {
+TEST(Figure6, SmallAmplitudesAreAt25And80Hz) {
   const auto nearest = [](double hz) { return 5.0 * std::round(hz / 5.0); };  // of the figure
   const double first = nearest(natural_hz(1)), second = nearest(natural_hz(2));
   judge("fig6.next-to-natural-frequencies",
@@ -398,7 +398,7 @@ TEST(ClaimOnFigure6, SmallAmplitudesAreAt25And80Hz) {
         natural_hz(2));
 }
 
-TEST(ClaimOnFigure6, TipMovesFartherThanBaseNearResonance) {
+TEST(Figure6, TipMovesFartherThanBaseNearResonance) {
   const auto tip = [](double hz) {
     solver::BeamSimulation run = run_at(hz, 0.5e-3);
     return largest(evenly_spaced(1.0, 10000.0, 1.0), [&](double) {

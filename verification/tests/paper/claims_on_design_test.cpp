@@ -42,7 +42,7 @@ double escape_force(double length) {
   return high;
 }
 
-TEST(ClaimOnFigure14, ItsBeamsAreSlender) {
+TEST(Figure14, ItsBeamsAreSlender) {
   const double depth = std::sqrt(12.0 * flat().beam.second_moment_of_area() / flat().beam.area());
   judge("fig14.slender", {.as_printed = 0.4 / depth >= 10.0 && 2.0 / depth >= 10.0},
         "the beams are {:.0f} to {:.0f} times as long as they are deep", 0.4 / depth, 2.0 / depth);
@@ -55,7 +55,7 @@ std::vector<double> axial_forces(double length) {
   return forces;
 }
 
-TEST(ClaimOnFigure14, AboveTheLineThereAreStripsOfStickSlip) {
+TEST(Figure14, StripsOfSlipAreAboveTheLine) {
   int strips = 0, explained = 0;
   for (const double length : {0.5, 0.7, 0.84, 1.2, 1.53, 1.8}) {
     const auto forces = axial_forces(length);
@@ -79,7 +79,7 @@ TEST(ClaimOnFigure14, AboveTheLineThereAreStripsOfStickSlip) {
         explained);
 }
 
-TEST(ClaimOnFigure14, EscapeNearResonanceTakesAHighForce) {
+TEST(Figure14, EscapeNearResonanceTakesAHighForce) {
   const double first = resonance(1, printed_axial_force), second = resonance(2, printed_axial_force);
   const double between = 0.5 * (first + second);
   const double at_first = escape_force(first), at_second = escape_force(second),
@@ -89,7 +89,7 @@ TEST(ClaimOnFigure14, EscapeNearResonanceTakesAHighForce) {
         first, at_second, second, usual, between);
 }
 
-TEST(ClaimOnFigure14, LargerForceAvoidsStickSlipNearResonance) {
+TEST(Figure14, LargerForceAvoidsItNearResonance) {
   // "Inevitable": at every axial force up to the buckling load.
   bool always = true, escapes = true;
   std::vector<double> shares;
@@ -106,7 +106,7 @@ TEST(ClaimOnFigure14, LargerForceAvoidsStickSlipNearResonance) {
         fmt::join(shares, " and "));
 }
 
-TEST(ClaimOnFigure14, LengthsOffResonanceAvoidStickSlip) {
+TEST(Figure14, LengthsOffResonanceAvoidStickSlip) {
   const auto is_far = [](double length, const std::vector<double>& others) {
     return std::ranges::all_of(others, [length](double other) { return std::abs(length - other) > 0.1; });
   };

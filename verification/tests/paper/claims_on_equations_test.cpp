@@ -69,13 +69,13 @@ double mesh_force(int elements, double axial_direction = 0.0) {
 }
 double shear_force() { return std::abs(closed_form(TipSupport::held).friction_force()); }
 
-TEST(ClaimOnSection2, TheBeamIsSlender) {
+TEST(Section2, TheBeamIsSlender) {
   const double depth = std::sqrt(12.0 * paper().beam.second_moment_of_area() / paper().beam.area());
   judge("sect2.slender", {.as_printed = length() / depth >= 10.0},
         "the beam is {:.3g} times as long as it is deep ({:.3g} m)", length() / depth, depth);
 }
 
-TEST(ClaimOnSection2, AxialMotionIsSmallAgainstTheLateralOne) {
+TEST(Section2, AxialMotionIsSmall) {
   // What bending shortens the beam by, 1/2 int u_x^2 dx, from chords of a twentieth of the length.
   solver::BeamSimulation run = run_at(25.0, 1e-3);
   const double chord = 0.05 * length();
@@ -95,7 +95,7 @@ TEST(ClaimOnSection2, AxialMotionIsSmallAgainstTheLateralOne) {
         "{:.2f} mm of deflection shorten the beam by {:.1e} mm", mm(lateral), mm(axial));
 }
 
-TEST(ClaimOnEquation1, GovernsTheBeamWithACompressiveAxialForce) {
+TEST(Equation1, GovernsTheCompressedBeam) {
   const auto steady = closed_form(TipSupport::held);
   const auto points = evenly_spaced(0.0, length(), 0.1 * length());
   const auto inertia = [&](double x) {
@@ -115,7 +115,7 @@ TEST(ClaimOnEquation1, GovernsTheBeamWithACompressiveAxialForce) {
         residual / scale, order, without, with);
 }
 
-TEST(ClaimOnEquation2, DeflectionAndSlopeVanishAtTheClamp) {
+TEST(Equation2, DeflectionAndSlopeVanishAtTheClamp) {
   const double found = largest(std::array{TipSupport::held, TipSupport::free}, [](TipSupport tip) {
     const auto steady = closed_form(tip);
     return std::hypot(std::abs(steady.displacement(0.0) - amplitude),
@@ -127,7 +127,7 @@ TEST(ClaimOnEquation2, DeflectionAndSlopeVanishAtTheClamp) {
         "u and L u' are {:.0e} of A0 in the closed form and zero in finite elements", found);
 }
 
-TEST(ClaimOnEquation3, StuckTipMovesAgainstTheBaseWithoutMoment) {
+TEST(Equation3, StuckTipHasNoMoment) {
   solver::BeamSimulation run = run_at(25.0, 1e-3);
   double departure = 0.0, start = 0.0;  // of y(L), which is u + h
   std::size_t phases = 0, events = 0;
@@ -149,7 +149,7 @@ TEST(ClaimOnEquation3, StuckTipMovesAgainstTheBaseWithoutMoment) {
         moment);
 }
 
-TEST(ClaimOnEquation4, FrictionIsTheShearForceUnderAFollowerForce) {
+TEST(Equation4, FrictionIsTheShearForce) {
   const double shear = shear_force(), follower = mesh_force(40), fixed = mesh_force(40, 1.0);
   // Fourth order of the mesh: (beta_1 l)^4/720 = 1.3e-7 in the first mode, amplified by its nearness.
   const auto agrees = [=](double force) { return std::abs(force / shear - 1.0) <= 1e-5; };
@@ -159,7 +159,7 @@ TEST(ClaimOnEquation4, FrictionIsTheShearForceUnderAFollowerForce) {
         follower, fixed);
 }
 
-TEST(ClaimOnEquation4, StickContinuesOnlyWithinTheLimit) {
+TEST(Equation4, StickContinuesOnlyWithinTheLimit) {
   const analytic::BeamContactModel model(with(paper(), excitation(25.0, 1e-3)), 10);
   analytic::EventDriven run(model.model());
   const double found = largest(evenly_spaced(5e-5, 0.3, 5e-5), [&](double t) {
@@ -174,7 +174,7 @@ TEST(ClaimOnEquation4, StickContinuesOnlyWithinTheLimit) {
         "before {} onsets the force in stick reaches {:.2f} N of {:.0f} N", onsets, found, friction_limit());
 }
 
-TEST(ClaimOnEquation4, StickLastsUntilTheForceReachesTheLimit) {
+TEST(Equation4, StickLastsUpToTheLimit) {
   solver::BeamSimulation run = run_at(25.0, 1e-3);
   const double at_start = std::abs(run.friction_force());
   bool stayed_below = true;
@@ -192,7 +192,7 @@ TEST(ClaimOnEquation4, StickLastsUntilTheForceReachesTheLimit) {
         onset, friction_limit());
 }
 
-TEST(ClaimOnEquation5, SlidingTipHasShearForceAndNoMoment) {
+TEST(Equation5, SlidingTipHasShearForceAndNoMoment) {
   // The static shape of a unit tip deflection is held by f_d = -E I u''' with u = -S.
   const solver::BeamModel model(paper().beam, 40);
   const double row = (model.slip_stiffness() * model.unit_tip_deflection())[model.tip_deflection()];
@@ -232,7 +232,7 @@ ContactRun contact_run() {
   return found;
 }
 
-TEST(ClaimOnEquation6, KineticFrictionOpposesTheSlidingVelocity) {
+TEST(Equation6, FrictionOpposesTheVelocity) {
   const ContactRun run = contact_run();
   judge("eq6",
         {.as_printed = run.slipping > 1000 && run.opposing == run.slipping &&
@@ -241,7 +241,7 @@ TEST(ClaimOnEquation6, KineticFrictionOpposesTheSlidingVelocity) {
         run.opposing, run.departure);
 }
 
-TEST(ClaimOnEquation7, CoefficientDecaysToTheMinimum) {
+TEST(Equation7, CoefficientDecaysToTheMinimum) {
   const auto mu = [](double v) { return solver::friction_coefficient(paper().friction, v); };
   bool decays = mu(0.0) == 0.6;
   for (const double v : evenly_spaced(0.1, 10.0, 0.1)) decays &= mu(v) < mu(v - 0.1) && mu(-v) == mu(v);
@@ -252,7 +252,7 @@ TEST(ClaimOnEquation7, CoefficientDecaysToTheMinimum) {
         mu(10.0));
 }
 
-TEST(ClaimOnSection2, MuSPIsTheRangeOfTheStaticForce) {
+TEST(Section2, MuSPIsTheRangeOfTheStaticForce) {
   const ContactRun run = contact_run();
   const auto [static_least, static_largest] = std::ranges::minmax(run.static_forces);
   const auto [kinetic_least, kinetic_largest] = std::ranges::minmax(run.kinetic_forces);
@@ -268,7 +268,7 @@ TEST(ClaimOnSection2, MuSPIsTheRangeOfTheStaticForce) {
         kinetic_least);
 }
 
-TEST(ClaimOnFigure2, TheFrictionForceJumpsAtZeroVelocity) {
+TEST(Figure2, TheFrictionForceJumpsAtZeroVelocity) {
   const auto force = [](double v) {
     return std::copysign(solver::friction_coefficient(paper().friction, v) * axial_force(), -v);
   };
@@ -278,7 +278,7 @@ TEST(ClaimOnFigure2, TheFrictionForceJumpsAtZeroVelocity) {
         jump);
 }
 
-TEST(ClaimOnFigure2, TheDiscontinuityMakesNumericalDifficulties) {
+TEST(Figure2, JumpMakesNumericalDifficulties) {
   data::NumericalChoices choices = paper_choices(0.25);
   choices.elements = 10;
   const auto runs = studies::compare_schemes(
@@ -289,7 +289,7 @@ TEST(ClaimOnFigure2, TheDiscontinuityMakesNumericalDifficulties) {
         by_the_letter);
 }
 
-TEST(ClaimOnEquation8, ItsFrequenciesConvergeToThoseOfTheClosedForm) {
+TEST(Equation8, FrequenciesConvergeOnTheMesh) {
   const auto modes = studies::stick_frequency_study(paper().beam, 3, {8, 16, 32}).modes;
   const bool holds = std::ranges::all_of(modes, [](const auto& mode) {
     return is_fourth(mode.observed_order.order) && std::abs(mode.leading_constant_ratio - 1.0) < 0.05;
@@ -300,7 +300,7 @@ TEST(ClaimOnEquation8, ItsFrequenciesConvergeToThoseOfTheClosedForm) {
         modes[0].relative_error.back());
 }
 
-TEST(ClaimOnEquation9, ItsBoundaryTermMakesTheAxialForceAFollower) {
+TEST(Equation9, AxialForceIsAFollower) {
   const auto flutter = studies::flutter_study(paper().beam, {8, 16});
   const double beck = 20.05;  // Beck 1952, in E I/L^2
   const double mesh = flutter.finite_element.back();
@@ -310,7 +310,7 @@ TEST(ClaimOnEquation9, ItsBoundaryTermMakesTheAxialForceAFollower) {
         "flutter at {:.3f} E I/L^2 on 16 elements and {:.3f} in closed form", mesh, flutter.closed_form);
 }
 
-TEST(ClaimOnEquation10, SolutionDoesNotDependOnTheSplit) {
+TEST(Equation10, SolutionDoesNotDependOnTheSplit) {
   // The specified part is a deflection of the tip's node alone in nodal coordinates, and the static shape in modal ones.
   const data::Case problem = paper_problem(hz, amplitude);
   const double by_tip = solver::max_abs_friction_force(problem, solver::Coordinates::nodal),
@@ -321,7 +321,7 @@ TEST(ClaimOnEquation10, SolutionDoesNotDependOnTheSplit) {
         "|f_max| over 1 s is {:.4f} N by both, to {:.0e}", by_tip, std::abs(by_static_shape / by_tip - 1.0));
 }
 
-TEST(ClaimOnEquation11, ItsSolutionIsThatOfEquations1And5) {
+TEST(Equation11, ItsSolutionIsThatOfEquations1And5) {
   const double order = sliding_order(0.3 * length());
   judge("eq11", {.as_printed = is_fourth(order)}, "u(0.3 L) approaches it with order {:.2f}", order);
 }

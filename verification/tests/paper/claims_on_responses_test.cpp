@@ -59,7 +59,7 @@ INSTANTIATE_TEST_SUITE_P(
             "fig10.consistent-with-figs3-4", {{15, small}, {35, small}}, {{25, small}, {70, small}}}),
     claim_name<VerdictClaim>);
 
-TEST(ClaimOnSection3, TheTimeStepGivesReasonableResults) {
+TEST(Section3, TheTimeStepGivesReasonableResults) {
   // First slips with a tenth of the step, in parts of the period of the excitation.
   data::NumericalChoices fine = paper().numerics.choices();
   fine.time_step *= 0.1;
@@ -76,7 +76,7 @@ TEST(ClaimOnSection3, TheTimeStepGivesReasonableResults) {
         "a tenth of the step moves first slips by at most {:.2f} % of a period", 100 * moved);
 }
 
-TEST(ClaimOnSection3, TheThresholdMissesStopsOfAStrongDeceleration) {
+TEST(Section3, ThresholdMissesFastStops) {
   // By the letter: the tip stops where the sliding velocity has changed its sign.
   solver::BeamSimulation letter = run_at(25.0, large, {.scheme = solver::ContactScheme::paper});
   int stops = 0, missed = 0;
@@ -102,7 +102,7 @@ TEST(ClaimOnSection3, TheThresholdMissesStopsOfAStrongDeceleration) {
         missed, stops, moved);
 }
 
-TEST(ClaimOnSection3, TheTipIsStuckAtTheStart) {
+TEST(Section3, TheTipIsStuckAtTheStart) {
   const double closed_form = largest(frequencies, [](double hz) {
     return analytic::StickResponse(paper().beam, excitation(hz, large)).friction_force(0.0);
   });
@@ -156,10 +156,10 @@ void judge_that_the_tip_never_moves(const std::string& claim, double hz) {
         "{}; y(L) stays within {:.0e} m", verdicts_in_words(hz, small), motion.range());
 }
 
-TEST(ClaimOnFigure4, TheTipDoesNotMoveAt15Hz) { judge_that_the_tip_never_moves("fig4.15", 15.0); }
-TEST(ClaimOnFigure4, TheTipDoesNotMoveAt35Hz) { judge_that_the_tip_never_moves("fig4.35", 35.0); }
+TEST(Figure4, TheTipDoesNotMoveAt15Hz) { judge_that_the_tip_never_moves("fig4.15", 15.0); }
+TEST(Figure4, TheTipDoesNotMoveAt35Hz) { judge_that_the_tip_never_moves("fig4.35", 35.0); }
 
-TEST(ClaimOnFigure4, TheBeamSticksAtAllTimesAt15And35Hz) {
+TEST(Figure4, TheBeamSticksAtAllTimesAt15And35Hz) {
   const double slow = force_bound_for_all_times(15.0), fast = force_bound_for_all_times(35.0);
   judge("fig4.stick-at-all-times",
         {.as_printed =
@@ -176,10 +176,10 @@ void judge_that_the_tip_sticks_and_slips(const std::string& claim, double hz) {
         motion.sticks, mm(motion.range()));
 }
 
-TEST(ClaimOnFigure4, TheTipSticksAndSlipsAt25Hz) { judge_that_the_tip_sticks_and_slips("fig4.25", 25.0); }
-TEST(ClaimOnFigure4, TheTipSticksAndSlipsAt70Hz) { judge_that_the_tip_sticks_and_slips("fig4.70", 70.0); }
+TEST(Figure4, TheTipSticksAndSlipsAt25Hz) { judge_that_the_tip_sticks_and_slips("fig4.25", 25.0); }
+TEST(Figure4, TheTipSticksAndSlipsAt70Hz) { judge_that_the_tip_sticks_and_slips("fig4.70", 70.0); }
 
-TEST(ClaimOnFigure5, ThePatternsAreVarious) {
+TEST(Figure5, ThePatternsAreVarious) {
   const auto differ = [](const TipMotion& x, const TipMotion& y) {
     const auto apart = [](double p, double q) { return std::max(p, q) > 1.5 * std::min(p, q); };
     return apart(x.range(), y.range()) || apart(x.stick_share, y.stick_share) ||
@@ -193,7 +193,7 @@ TEST(ClaimOnFigure5, ThePatternsAreVarious) {
         100 * c.stick_share, a.long_sticks_per_period, b.long_sticks_per_period, c.long_sticks_per_period);
 }
 
-TEST(ClaimOnFigure5, LargerAmplitudesSlipMoreReadily) {
+TEST(Figure5, LargerAmplitudesSlipMoreReadily) {
   // Along each frequency the verdict may change once, from stick to slip.
   int changes = 0, returns = 0;
   for (const double hz : frequencies) {

@@ -14,7 +14,7 @@ namespace stickslip::testing {
 namespace {
 
 STICKSLIP_VERIFIES(PaperCase, "P1");
-TEST(PaperCase, IsTheBeamOfSection3WithTheCorrectedSection) {
+TEST(PaperCase, IsTheBeamWithTheCorrectedSection) {
   using data::BeamProperties;
   for (const auto member :
        {&BeamProperties::length, &BeamProperties::area, &BeamProperties::second_moment_of_area,
@@ -23,7 +23,7 @@ TEST(PaperCase, IsTheBeamOfSection3WithTheCorrectedSection) {
 }
 
 STICKSLIP_VERIFIES(PrintedNumbers, "P3");
-TEST(PrintedNumbers, AreReproducedUnlessAnErratumSaysNot) {
+TEST(PrintedNumbers, AreFoundUnlessErrataSayNot) {
   const auto ledger = errata();
   std::set<std::string> numbers;
   for (const auto& check : studies::printed_checks(paper())) {
@@ -42,7 +42,7 @@ TEST(PrintedNumbers, AreReproducedUnlessAnErratumSaysNot) {
     EXPECT_TRUE(printed.is_given || numbers.contains(printed.id)) << printed.id << " has no check";
 }
 
-TEST(PrintedNumbers, HaveTheVerdictOfTheRangeThatIsPossible) {
+TEST(PrintedNumbers, HaveTheVerdictOfTheirRange) {
   using enum data::ClaimVerdict;
   const auto verdict = [](double lower, double upper) {
     return studies::verdict_on(2.0, {lower, upper}, 0.125);
@@ -95,7 +95,7 @@ std::optional<std::pair<double, Tolerance>> by_theory(const studies::ErratumEvid
   return std::nullopt;
 }
 
-TEST(Errata, CorrectedTextAgreesWhereThePrintedOneDoesNot) {
+TEST(Errata, CorrectedTextAgreesPrintedDoesNot) {
   std::set<std::string> judged{"E6", "E7", "E12"}, by_other_means;  // of wording
   for (const auto& row : studies::errata_evidence(paper())) {
     SCOPED_TRACE(row.erratum + ", " + row.quantity);
@@ -168,7 +168,7 @@ TEST(Errata, E5IsMetByElevenToThirtyOneElements) {
 }
 
 STICKSLIP_VERIFIES(LedgerOfClaims, "V3");
-TEST(LedgerOfClaims, RefersToFiguresAndTablesThatTheReportHas) {
+TEST(LedgerOfClaims, RefersToFiguresOfTheReport) {
   std::string latex;
   for (const auto& file :
        std::filesystem::recursive_directory_iterator(STICKSLIP_SOURCE_DIRECTORY "/reports/report"))
