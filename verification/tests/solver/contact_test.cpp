@@ -226,7 +226,7 @@ TEST(StickSlipIntegrator, RefusesSingularMatrices) {
 }
 
 STICKSLIP_VERIFIES(ContactScheme, "F6");
-TEST(ContactScheme, PaperSchemeJumpsOverItsThreshold) {
+TEST(ContactScheme, OfThePaperMissesItsThreshold) {
   // v = 1.3 - 1.5 t in steps of 0.07 s: v falls by 0.105 m/s a step, from 0.04 to -0.065 m/s. A threshold of
   // 0.05 m/s is met at 0.04 m/s; one of 0.03 m/s is not, and friction flips for ever.
   const auto run = [](double threshold) {
@@ -247,7 +247,7 @@ TEST(ContactScheme, PaperSchemeJumpsOverItsThreshold) {
   for (const auto& event : missed) EXPECT_EQ(event.change, data::ContactChange::reversal);
 }
 
-TEST(ContactScheme, EndOfStepSchemeTakesChangesThere) {
+TEST(ContactScheme, AtTheEndOfStepIsLate) {
   const IntegratorSettings settings{
       .time_step = 0.07, .spectral_radius = 0.9, .scheme = ContactScheme::end_of_step};
   const auto slider = run_from_slip(sliding_mass, settings, 0.0, 1.3, 2.07);

@@ -168,7 +168,7 @@ using studies::FiniteElementContactModel;
 
 STICKSLIP_VERIFIES(FiniteElementContactModel, "X9");
 // contact_model_test.cpp compares what it makes of beams with the closed form.
-TEST(FiniteElementContactModel, ReturnsTheDisplacements) {
+TEST(FiniteElementContactModel, GivesBackWhatIsIn) {
   const ForcedPair pair;
   const FiniteElementContactModel two(contact_system(pair), pair.omega);
   const Eigen::Vector2d q(0.3, -0.7);

@@ -120,7 +120,7 @@ TEST(ContactGrowth, IsSearchedFromTheModes) {
   EXPECT_EQ(studies::stepped_contact(beam, h, 2).frequencies, frequencies);
 }
 
-TEST(ContactGrowth, OfAMeshDoublesWithEachRefinement) {
+TEST(ContactGrowth, OfAMeshDoubles) {
   double before = 0.0;
   for (const int elements : {5, 10, 20, 40}) {
     const auto mobility = mesh(elements);
@@ -318,7 +318,7 @@ TEST(GrowthWarning, SaysWhenNoDiscretisationHelps) {
   EXPECT_FALSE(holds(warning(damped).value().sentence, "any discretisation"));
 }
 
-TEST(GrowthWarning, CountsTheModesOfAnEventDrivenRun) {
+TEST(GrowthWarning, CountsModes) {
   const auto inquiry = studies::Inquiry::event_driven_history;
   for (const auto& [modes, duration, warns] : {std::tuple{"5", "0.15", false},
                                                {"5", "0.2", true},

@@ -154,7 +154,7 @@ TEST(MotionQuantities, TellPeriodsApart) {
   EXPECT_EQ(studies::period_of(samples({1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17})), 0);
 }
 
-TEST(MotionQuantities, NeedTheTransientAndTwoPeriods) {
+TEST(MotionQuantities, NeedTwoPeriods) {
   const data::Case problem = damped_case(1e-4, 0.2);
   const studies::ResponseGrid grid = studies::response_grid(problem, 0.05);
   EXPECT_EQ(grid.steps_per_period, 400);

@@ -95,8 +95,8 @@ Found by_elements(const data::Case& problem, const Times& times) {
 Found by_modes(const data::Case& problem, int modes, const Times& times) {
   Found found;
   const data::Case with_modes = with_value(problem, "numerics.modes", modes);
-  const auto history = studies::method("event-driven")
-                           .run(with_modes, {}, {}, rows_at(times, problem.numerics.time_step(), found.rows));
+  const auto history = studies::event_driven_history(with_modes, {});
+  if (!times.empty()) found.rows = studies::event_driven_history(with_modes, {.times = times}).rows;
   found.events = without_reversals(history.events);
   found.rows_off_law = history.rows_off_law;
   analytic::EventDriven run(analytic::BeamContactModel(with_modes, modes).model(),
@@ -136,8 +136,11 @@ std::vector<ContactEvent> without_slips_of_one_step(const std::vector<ContactEve
 Found by_boundary_integral(const data::Case& problem, const Times& times) {
   const auto history = studies::boundary_integral_history(problem, {.times = times}, 1);
   for (const HistoryRow& row : history.rows) {  // means of two steps
-    EXPECT_LE(std::abs(row.friction_force), studies::friction_limit(problem) * (1.0 + 1e-9)) << row.time;
-    EXPECT_TRUE(row.state == ContactState::slip || row.sliding_velocity == 0.0) << row.time;
+    EXPECT_TRUE(problem.friction.viscous() > 0.0 ||
+                std::abs(row.friction_force) <= studies::friction_limit(problem) * (1.0 + 1e-9))
+        << row.time;
+    EXPECT_TRUE(row.state == ContactState::slip || row.sliding_velocity == 0.0 || !problem.contact.is_rigid())
+        << row.time;
   }
   return {without_slips_of_one_step(without_reversals(history.events), problem.numerics.time_step()),
           history.rows, history.rows_off_law};
@@ -264,12 +267,12 @@ std::vector<double> expect_changes(const Judge& judge, const Runs& runs) {
   return orders;
 }
 
-// y(L) and y(L/2), with the errors as of the changes: 20 elements leave (beta l)^4/720 of mode 3, and a change that is off
+// y(L) and y(L/2), of the size of the motion of the base at least, with the errors as of the changes: 20 elements leave (beta l)^4/720 of mode 3, and a change that is off
 // by a step moves the tip by what it slides then.
-void expect_motion(const Judge& judge, const Runs& runs) {
+void expect_motion(const Judge& judge, const Runs& runs, double amplitude) {
   const double mesh = std::pow(10.2 / 20.0, 4) / 720.0;
   for (const auto value : {&HistoryRow::tip_displacement, &HistoryRow::midspan_displacement}) {
-    double coarse = 0.0, fine = 0.0, modes = 0.0, error = 0.0, size = 0.0, speed = 0.0;
+    double coarse = 0.0, fine = 0.0, modes = 0.0, error = 0.0, size = amplitude, speed = 0.0;
     ASSERT_EQ(runs.own.rows.size(), judge.many.rows.size());
     for (std::size_t i = 0; i < runs.own.rows.size(); ++i) {
       const auto of = [&](const Found& found) { return found.rows.at(i).*value; };
@@ -333,7 +336,7 @@ TEST_P(RandomHistories, AgreeWithEventsAndObeyTheLaw) {
     ++compared;
     const auto these = expect_changes(judge, runs);
     orders.insert(orders.end(), these.begin(), these.end());
-    expect_motion(judge, runs);
+    expect_motion(judge, runs, problem.excitation.amplitude());
   });
   EXPECT_GT(compared, 2);
   if (method.order == 0.0) return;
@@ -502,7 +505,7 @@ TEST(BoundaryIntegralContact, IsTheMeanBesideARow) {
   EXPECT_EQ(studies::contact_between(one, 0).friction_force, -2.0);
 }
 
-TEST(BoundaryIntegralContact, ChangesWithTheDirection) {
+TEST(BoundaryIntegralContact, ChangesWithDirection) {
   const auto events = studies::events_between(steps_of_contact, 0.5);
   ASSERT_EQ(events.size(), 3u);
   const auto expect = [&](std::size_t i, ContactChange change, double time, double position) {
@@ -516,7 +519,7 @@ TEST(BoundaryIntegralContact, ChangesWithTheDirection) {
   EXPECT_TRUE(studies::events_between({{0.0, 1.0, false}}, 0.5).empty());
 }
 
-TEST(BoundaryIntegralContact, EffectIsOfTwiceTheStep) {
+TEST(BoundaryIntegralContact, HasTheEffectOfAStep) {
   const data::Case problem =
       case_of("damped", {{"excitation.amplitude", "1"}, {"excitation.duration", "0.002"}});
   const studies::Method& method = studies::method("boundary-integral");
@@ -549,7 +552,7 @@ TEST(BoundaryIntegralContact, HasOneSolutionAStep) {
 }
 
 STICKSLIP_VERIFIES(HistorySpectrum, "X9");
-TEST(HistorySpectrum, HasWholePeriodsOfTheSecondHalf) {
+TEST(HistorySpectrum, HasWholePeriods) {
   // 0.18 s of 25 Hz: its second half has two whole periods.
   const data::Case problem =
       case_of("paper", {{"excitation.duration", "0.18"}, {"numerics.time_step", "1e-3"}});

@@ -139,7 +139,7 @@ TEST(SteadySliding, OfOneModeIsAFormula) {
 }
 
 // Eigenvalues of matrices on one side, the characteristic equation of the mobility on the other: the same mesh.
-TEST(SteadySliding, EigenvaluesCrossWhereTheMobilitySays) {
+TEST(SteadySliding, CrossesWhereTheMobilitySays) {
   const data::Case problem = viscous_reed();
   const auto mesh = mesh_of(problem, 8);
   const solver::ContactMobility mobility(mesh);
