@@ -29,7 +29,7 @@ data::Case case_with_step(const std::string& name, double frequency_hz, double a
 }
 
 // Of the damped case at 25 Hz and 1 mm; duration and transient in s.
-data::Case damped_case(double step, double duration, int modes = 10) {
+data::Case damped_at_25_hz(double step, double duration, int modes = 10) {
   return case_with_step("damped", 25.0, 1e-3, step, duration, modes);
 }
 
@@ -75,7 +75,7 @@ TEST(FixedSteps, AreRefusedWhereTheyAreTooLong) {
 STICKSLIP_VERIFIES(MotionQuantities, "D5");
 // Event by event, over the same eight periods.
 TEST(MotionQuantities, AreThoseOfEvents) {
-  const data::Case problem = damped_case(2.5e-5, 0.4, 20);
+  const data::Case problem = damped_at_25_hz(2.5e-5, 0.4, 20);
   const studies::ContactResponse response = studies::contact_response(problem, 0.08);
   constexpr int samples = 32000;
   double squares = 0.0, peak = 0.0, travel = 0.0, slip = 0.0, force = 0.0;
@@ -155,7 +155,7 @@ TEST(MotionQuantities, TellPeriodsApart) {
 }
 
 TEST(MotionQuantities, NeedTwoPeriods) {
-  const data::Case problem = damped_case(1e-4, 0.2);
+  const data::Case problem = damped_at_25_hz(1e-4, 0.2);
   const studies::ResponseGrid grid = studies::response_grid(problem, 0.05);
   EXPECT_EQ(grid.steps_per_period, 400);
   EXPECT_EQ(grid.transient, 2);
@@ -163,7 +163,7 @@ TEST(MotionQuantities, NeedTwoPeriods) {
   EXPECT_EQ(studies::response_grid(problem, 0.12).recorded, 2);
   EXPECT_THROW((void)studies::response_grid(problem, 0.13), data::FieldError);
   // 2e8 steps in a period of 0.04 s.
-  const auto steps = [](double step) { return studies::steps_per_period(damped_case(step, 0.19)); };
+  const auto steps = [](double step) { return studies::steps_per_period(damped_at_25_hz(step, 0.19)); };
   EXPECT_EQ(steps(0.04), 32);
   EXPECT_EQ(steps(2e-10), 200000000);
   EXPECT_THROW((void)steps(1.99e-10), data::FieldError);
@@ -172,7 +172,7 @@ TEST(MotionQuantities, NeedTwoPeriods) {
 // The halves of a record, and the record on twice the step, are what other runs record.
 TEST(MotionQuantities, ErrorIsASpread) {
   const auto response = [](double step, double duration, double transient) {
-    return studies::contact_response(damped_case(step, duration), transient);
+    return studies::contact_response(damped_at_25_hz(step, duration), transient);
   };
   const auto whole = response(1e-4, 0.4, 0.08), first = response(1e-4, 0.24, 0.08),
              second = response(1e-4, 0.4, 0.24), coarse = response(2e-4, 0.4, 0.08);

@@ -64,7 +64,7 @@ studies::RowSink rows_at(const std::vector<double>& times, double step, std::vec
 
 using Times = std::vector<double>;
 
-Found by_elements(const data::Case& problem, const Times& times) {
+Found found_by_elements(const data::Case& problem, const Times& times) {
   solver::BeamSimulation run(problem);
   solver::EnergyRecorder recorder(run.integrator());
   run.observe([&recorder](const solver::StickSlipIntegrator& now) { recorder.record(now); });
@@ -92,7 +92,7 @@ Found by_elements(const data::Case& problem, const Times& times) {
   return found;
 }
 
-Found by_modes(const data::Case& problem, int modes, const Times& times) {
+Found found_by_modes(const data::Case& problem, int modes, const Times& times) {
   Found found;
   const data::Case with_modes = with_value(problem, "numerics.modes", modes);
   const auto history = studies::event_driven_history(with_modes, {});
@@ -116,8 +116,8 @@ Found by_modes(const data::Case& problem, int modes, const Times& times) {
   return found;
 }
 
-Found by_events(const data::Case& problem, const Times& times) {
-  return by_modes(problem, problem.numerics.modes(), times);
+Found found_by_events(const data::Case& problem, const Times& times) {
+  return found_by_modes(problem, problem.numerics.modes(), times);
 }
 
 // A step sticks or slips: around a turn one step of slip may stand between two of stick.
@@ -133,7 +133,7 @@ std::vector<ContactEvent> without_slips_of_one_step(const std::vector<ContactEve
   return kept;
 }
 
-Found by_boundary_integral(const data::Case& problem, const Times& times) {
+Found found_by_boundary_integral(const data::Case& problem, const Times& times) {
   const auto history = studies::boundary_integral_history(problem, {.times = times}, 1);
   for (const HistoryRow& row : history.rows) {  // means of two steps
     EXPECT_TRUE(problem.friction.viscous() > 0.0 ||
@@ -148,7 +148,7 @@ Found by_boundary_integral(const data::Case& problem, const Times& times) {
 
 // The run of maps and sweeps. It takes the law at the mean of the velocities of a step, to 1.25e-9 of the falling part, and does not
 // locate its changes.
-Found in_fixed_steps(const data::Case& problem, const Times& times) {
+Found found_in_fixed_steps(const data::Case& problem, const Times& times) {
   const analytic::ContactModel model = studies::response_model(problem);
   const analytic::ContactModes modes(model);
   const double force = problem.beam.axial_force();
@@ -218,17 +218,18 @@ std::vector<BeamMethod> beam_methods() {
   // (omega h)^2/12 of a work by the trapezoidal rule; mode 10 has 50 steps in a period. A change stands on a step, and means over that
   // step and its neighbours decide which one.
   const double rule = std::pow(2.0 * std::numbers::pi / 50.0, 2) / 12.0;
-  return {
-      {"Elements", "X9", slipping, of_case, by_elements, rule, 1.5, 0.0},
-      {"Events", "D3", light, of_case, by_events, 1e-12, 0.0, 0.0},
-      {"BoundaryIntegral", "D4", quick, studies::boundary_integral_step, by_boundary_integral, 0.0, 0.0, 3.0},
-      {"FixedSteps", "D5", resting, of_map, in_fixed_steps, 0.0, 0.0, 2.0}};
+  return {{"Elements", "X9", slipping, of_case, found_by_elements, rule, 1.5, 0.0},
+          {"Events", "D3", light, of_case, found_by_events, 1e-12, 0.0, 0.0},
+          {"BoundaryIntegral", "D4", quick, studies::boundary_integral_step, found_by_boundary_integral, 0.0,
+           0.0, 3.0},
+          {"FixedSteps", "D5", resting, of_map, found_in_fixed_steps, 0.0, 0.0, 2.0}};
 }
 
 // By the modes of the continuous beam. Half of them say how far an event is known.
 struct Judge {
   Judge(const data::Case& problem, const Times& times)
-      : few(by_events(problem, times)), many(by_modes(problem, 2 * problem.numerics.modes(), times)) {}
+      : few(found_by_events(problem, times)),
+        many(found_by_modes(problem, 2 * problem.numerics.modes(), times)) {}
   [[nodiscard]] bool is_converged() const { return are_alike(few.events, many.events); }
   Found few, many;
 };
@@ -349,7 +350,7 @@ TEST_P(RandomHistories, AgreeWithEventsAndObeyTheLaw) {
 INSTANTIATE_TEST_SUITE_P(, RandomHistories, ::testing::ValuesIn(beam_methods()),
                          [](const auto& instance) { return instance.param.name; });
 
-const CaseDomain everything = [] {
+const CaseDomain any_feature = [] {
   CaseDomain domain = slipping;
   domain.kelvin_voigt = 0.5, domain.shear = domain.yielding = 0.3;
   return domain;
@@ -359,7 +360,7 @@ STICKSLIP_VERIFIES(RandomRows, "X10");
 // With a spring, a smooth law, shear and without damping as well, with the default step and with 80 steps a period.
 TEST(RandomRows, ObeyTheLawOnEveryStep) {
   for (const char* name : {"fe", "event-driven"})
-    on_motions(8, everything, [&](const data::Case& problem) {
+    on_motions(8, any_feature, [&](const data::Case& problem) {
       const studies::Method& method = studies::method(name);
       if (error_message_if_any<data::FieldError>([&] { method.require(problem); })) return;
       const data::Case coarse = with_step(problem, 1.0 / (80.0 * problem.excitation.frequency_hz()));
@@ -405,7 +406,7 @@ std::map<std::string, Feature> features_of(const data::Case& problem) {
 
 STICKSLIP_VERIFIES(MethodRefusals, "X18");
 TEST(MethodRefusals, AreThoseOfTheTable) {
-  on_random_cases(40, everything, [&](const CaseText& text, RandomNumbers&) {
+  on_random_cases(40, any_feature, [&](const CaseText& text, RandomNumbers&) {
     const data::Case problem = text.problem();
     const auto features = features_of(problem);
     for (const studies::Method& method : studies::methods()) {
