@@ -366,6 +366,20 @@ TEST(ModelVariants, CountTheCellsWithTooSoftASpring) {
 // --- Friction that grows with the velocity
 
 STICKSLIP_VERIFIES(StribeckLaw, "P2");
+// A step ends where the free velocity is v + W_0 mu(v) N; kappa W_0 = 6 W_0 < 1.
+TEST(StribeckLaw, HoldsInAStepOfTheBoundaryIntegral) {
+  const analytic::ContactLaw law{
+      10.0, data::FrictionLaw(
+                {.static_coefficient = 0.6, .kinetic_coefficient = 0.3, .decay = 2.0, .viscous = 0.1})};
+  for (const double weight : {1e-3, 0.05, 0.16})
+    for (const double v : {0.01, 0.3, 0.9, 2.0, 50.0}) {
+      const double force = 10.0 * (0.3 + 0.3 * std::exp(-2.0 * v) + 0.1 * v);
+      EXPECT_TRUE(within(-solve_contact(law, v + weight * force, weight).friction_force, force,
+                         round_off(20, 1.0 / (1.0 - 6.0 * weight) * (v / weight + 6.0), 1.0)))
+          << v << ", " << weight;
+    }
+}
+
 // m v_t = -N (mu_m + beta v): from v_0 to rest in m/(N beta) ln(1 + beta v_0/mu_m), all energy to friction.
 TEST(StribeckLaw, StopsASliderAtTheTimeOfTheClosedForm) {
   const SingleMass mass{.normal_force = 10.0,
