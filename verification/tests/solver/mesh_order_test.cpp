@@ -363,7 +363,7 @@ void expect_orders_in_space(ManufacturedTip tip, double load_factor) {
 }
 
 STICKSLIP_VERIFIES(ManufacturedSpace, "F10");
-TEST(ManufacturedSpace, HasThePredictedOrdersAndConstants) {
+TEST(ManufacturedSpace, HasItsOrdersAndConstants) {
   for (const auto tip : {ManufacturedTip::stick, ManufacturedTip::slip, ManufacturedTip::friction})
     for (const double load_factor : {-10.0, 0.0, 10.0}) {
       SCOPED_TRACE(fmt::format("{} {}", to_string(tip), load_factor));
@@ -400,7 +400,7 @@ void expect_orders_in_time(ManufacturedTip tip, double load_factor, double radiu
 }
 
 STICKSLIP_VERIFIES(ManufacturedTime, "F10");
-TEST(ManufacturedTime, IsOfOrderTwoWithThePredictedConstant) {
+TEST(ManufacturedTime, IsOfOrderTwoWithItsConstant) {
   for (const auto tip : {ManufacturedTip::stick, ManufacturedTip::slip, ManufacturedTip::friction})
     for (const double load_factor : {-10.0, 10.0})
       for (const double radius : {0.0, 0.9, 1.0}) {

@@ -29,7 +29,7 @@ namespace {
 STICKSLIP_VERIFIES(AxialDirection, "X23");
 // With a free tip the beam moves as with a held one and under the force that held it, and the heat is what the base and the
 // follower part of P put in.
-TEST(AxialDirection, FreeTipIsTheHeldOneLessItsReaction) {
+TEST(AxialDirection, FreeTipIsHeldOneLessItsReaction) {
   on_random_beams(30, any_force, [](const data::Beam& any, RandomNumbers& numbers) {
     const data::Beam beam = directed(any, random_direction(numbers), any.axial_force());
     const double unit = frequency_unit(beam), follower = (1.0 - beam.axial_direction()) * beam.axial_force();
@@ -49,7 +49,7 @@ TEST(AxialDirection, FreeTipIsTheHeldOneLessItsReaction) {
 }
 
 // S'''(L) + chi p S'(L) = S'''(L) [1 - chi (1 - cos y)], which vanishes at chi = 1, y = pi/2.
-TEST(AxialDirection, IsInTheReactionAtRestAndInTheTable) {
+TEST(AxialDirection, IsInReactionAtRestAndTable) {
   for (const double chi : {0.3, 1.0}) {
     const analytic::ModalReactionTable table(0.0, 10.0, 6, chi);
     for (const double factor : {0.0, 0.12, 2.4674, 5.0, 9.9}) {
@@ -188,34 +188,33 @@ TEST(ShearScope, IsRefusedByNameWhereThereIsNoShear) {
 }
 
 STICKSLIP_VERIFIES(ShearEffect, "X24");
-// The sentence of a thick beam is about the criterion with shear; a beam with shear is not thick.
+// The sentence of a thick beam is about the criterion with shear: the forces of both, and the verdict where it changes, at an
+// amplitude between the critical ones or a load between the buckling loads. A beam with shear is not thick.
 TEST(ShearEffect, IsInTheWarningOfAThickBeam) {
-  data::Case thick = data::load_case("paper", {{"beam.length", "0.8"}, {"excitation.frequency_hz", "120"}});
-  const auto thick_beam = [](const std::vector<studies::Warning>& warnings) {
+  const data::Case thick =
+      data::load_case("paper", {{"beam.length", "0.8"}, {"excitation.frequency_hz", "120"}});
+  const data::Case sheared = with(thick, studies::with_shear(thick.beam));
+  const auto thick_beam = [](const data::Case& problem) {
+    const auto warnings = studies::problem_warnings(problem, studies::Inquiry::criterion);
     const auto found = std::ranges::find(warnings, studies::Concern::thick_beam, &studies::Warning::concern);
     return found == warnings.end() ? std::string() : found->sentence;
   };
-  const std::string sentence = thick_beam(studies::problem_warnings(thick, studies::Inquiry::criterion));
-  EXPECT_TRUE(holds(sentence, studies::shear_effect(thick)));
-  const data::Case sheared = with(thick, studies::with_shear(thick.beam));
-  const auto criterion = studies::criterion_with_all_modes(sheared, 1e-6),
-             slender = studies::criterion_with_all_modes(thick, 1e-6);
-  EXPECT_EQ(studies::shear_effect(thick),
-            fmt::format("with beam.shear_stiffness = 6.41e+06 (k = 5/6, nu = 0.3) |f_max| with all modes is "
-                        "{:.4g} N instead of "
-                        "{:.4g} N, and the verdict is stick-slip as well",
-                        criterion.force_max.midpoint(), slender.force_max.midpoint()));
-  // An amplitude between the critical ones of the two, and a load between their buckling loads.
-  const double amplitude =
-      0.5 * (criterion.critical_amplitude.midpoint() + slender.critical_amplitude.midpoint());
-  EXPECT_TRUE(studies::shear_effect(data::with_value(thick, "excitation.amplitude", amplitude))
+  const auto effect_at = [&](const char* key, double value) {
+    return studies::shear_effect(data::with_value(thick, key, value));
+  };
+  EXPECT_TRUE(holds(thick_beam(thick), studies::shear_effect(thick)));
+  EXPECT_EQ(thick_beam(sheared), "");
+  const auto with_shear = studies::criterion_with_all_modes(sheared, 1e-6),
+             without = studies::criterion_with_all_modes(thick, 1e-6);
+  EXPECT_TRUE(holds(studies::shear_effect(thick),
+                    fmt::format("{:.4g} N instead of {:.4g} N, and the verdict is stick-slip as well",
+                                with_shear.force_max.midpoint(), without.force_max.midpoint())));
+  EXPECT_TRUE(effect_at("excitation.amplitude", 0.5 * (with_shear.critical_amplitude.midpoint() +
+                                                       without.critical_amplitude.midpoint()))
                   .ends_with(", and the verdict is stick-slip instead of stick"));
-  const double load = analytic::stick_buckling_load(thick.beam);
-  EXPECT_EQ(studies::shear_effect(data::with_value(thick, "beam.axial_force", 0.99 * load)),
-            "with beam.shear_stiffness = 6.41e+06 (k = 5/6, nu = 0.3) the beam buckles");
-  EXPECT_EQ(thick_beam(studies::problem_warnings(sheared, studies::Inquiry::criterion)), "");
-  thick.damping = data::Damping({.ratio = 0.01});
-  EXPECT_EQ(thick_beam(studies::problem_warnings(thick, studies::Inquiry::criterion)).find("shear_stiffness"),
+  EXPECT_TRUE(effect_at("beam.axial_force", 0.99 * analytic::stick_buckling_load(thick.beam))
+                  .ends_with("the beam buckles"));
+  EXPECT_EQ(thick_beam(with(thick, data::Damping({.ratio = 0.01}))).find("shear_stiffness"),
             std::string::npos);
 }
 

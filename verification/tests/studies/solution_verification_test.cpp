@@ -34,7 +34,7 @@ TEST(GridConvergenceIndex, OfAPowerLawIsItsClosedForm) {
 
 // Formal order 2 at ratio 2: r^p/(r^p - 1) = 4/3 of the last difference. Differences that change sign, that grow, and that have
 // the order 4, with the order found, or 0.
-TEST(GridConvergenceIndex, TreblesWhereLevelsAreNotAsymptotic) {
+TEST(GridConvergenceIndex, TreblesIfNotAsymptotic) {
   struct Row {
     std::vector<double> values;
     double largest, order;
