@@ -528,7 +528,7 @@ TEST(WrongModel, HasTheMistakeThatItsNameSays) {
 // 2 x'' + 0.8 x' + 50 x = 3 t: the line x_p = 3 t/50 - 3 0.8/50^2, which the midpoint rule keeps, and two roots s, each of
 // which makes (1 + s h/2)/(1 - s h/2) of a substep.
 TEST(WrongModel, OwnLawTakesTenMidpointSubsteps) {
-  auto system = contact_system({.mass = 2.0, .stiffness = 50.0, .damping = 0.8, .normal_force = 10.0},
+  auto system = contact_system({2.0, 50.0, 0.8, 10.0, coulomb},
                                {[](double) { return 0.01; }, [](double) { return 0.3; }, {}});
   system.load_shape = scalar(2.0);
   system.load_history = [](double t) { return 1.5 * t; };
