@@ -397,8 +397,8 @@ TEST(WrongModel, HasTheFrequenciesOfItsMistake) {
              discretisation(ratio * (std::pow(4.73 / 60.0, 4) / 1440.0 + 4e-8), 1.0, "mesh and clamp")));
 }
 
-// Every model that knows stick and slip, on its mesh in steps with a tip that never slips, beside what it says of the held beam
-// by modes. The right model in the same run tells the error in phase of all, which in the stiffest is 2^1.5 times as large.
+// Every model that knows stick and slip, on its mesh in steps with a tip that never slips, beside what it says of the held
+// beam by modes. The right model in the same run tells the error in phase of all, which in the stiffest is 2^1.5 times as large.
 // With another start the velocity jumps along the beam, and the phase of its highest modes is lost.
 TEST(WrongModel, OnTheMeshIsThatOfTheModesInStick) {
   data::Case problem = with_numerics(strip_case(0.05), 40, 2e-5, 60);
@@ -440,8 +440,8 @@ TEST(WrongModel, OfACosineIsLargestAtTheStart) {
   EXPECT_EQ(value(force_maximum, 15.0), value(stick_force, 0.0));
 }
 
-// The steady vibration on the mesh of 20 is that of the closed form, but for the error (beta l)^4/720 of the square of a frequency,
-// 2.2e-5 in mode 2, which counts fourfold at 70 of 81 Hz and twice as much in the heat. Half the motion of the base halves it,
+// The steady vibration on the mesh of 20 is that of the closed form, but for the error (beta l)^4/720 of the square of a
+// frequency, 2.2e-5 in mode 2, which counts fourfold at 70 of 81 Hz and twice as much in the heat. Half the motion of the base halves it,
 // leaves its phases and a quarter of the heat.
 TEST(WrongModel, OfHalfTheMotionHalvesSteadyMotion) {
   const data::Case problem = with_damping(paper_case(1.0), {.kelvin_voigt = 6e-5});
