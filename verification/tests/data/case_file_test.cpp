@@ -267,7 +267,7 @@ class CaseShorthand : public CaseFile {
   }
 };
 
-TEST_F(CaseShorthand, SuppliesMaterialAndCoulombFriction) {
+TEST_F(CaseShorthand, SuppliesMaterialAndFriction) {
   const data::Case problem = read(strip_case);
   EXPECT_EQ(problem.beam.length(), 0.4);
   EXPECT_EQ(problem.beam.axial_force(), 40.0);
@@ -388,7 +388,7 @@ TEST_F(CaseShorthand, ChangesOnlyWhatIsNotGiven) {
 }
 
 // h = A0 sin(Omega t) with Omega = 60 pi rad/s.
-TEST_F(CaseShorthand, TakesTheVelocityOrTheAcceleration) {
+TEST_F(CaseShorthand, TakesVelocityOrAcceleration) {
   const auto amplitude = [&](const std::string& line, const std::vector<data::Override>& overrides = {}) {
     return read(workshop_case(strip, line), overrides).excitation.amplitude();
   };

@@ -12,7 +12,7 @@ namespace stickslip::testing {
 namespace {
 
 STICKSLIP_VERIFIES(PrintedNumbers, "P3");
-TEST(PrintedNumbers, CarryHalfAUnitOfTheirLastDigitInSi) {
+TEST(PrintedNumbers, CarryHalfAUnitOfTheLastDigit) {
   for (const auto& [id, value, half_digit, is_given] :
        std::vector<std::tuple<std::string, double, double, bool>>{
            {"frequency.stick.1", 25.0, 0.05, false},

@@ -142,7 +142,7 @@ TEST(LimitsOfKeys, AreThoseOfTheTable) {
 }
 
 STICKSLIP_VERIFIES(JumpOfFriction, "P1");
-TEST(JumpOfFriction, IsConstantInSlipAndNeedsARigidContact) {
+TEST(JumpOfFriction, NeedsARigidContact) {
   const data::FrictionLaw jump(
       {.static_coefficient = 0.3, .kinetic_coefficient = 0.2, .decay = infinity, .viscous = 0.1});
   EXPECT_EQ(jump.in_slip().static_coefficient(), 0.2);
@@ -220,7 +220,7 @@ TEST(InputLimits, MayHaveASignBeforeAFiniteNumber) {
     EXPECT_FALSE(data::finite_number(text).has_value()) << text;
 }
 
-TEST(InputLimits, IsShownInMessagesCharacterByCharacter) {
+TEST(InputLimits, IsShownByCharacters) {
   const std::vector<std::string> characters{" ",      "~",      "\u00a0", "\u07ff",     "\u0800",
                                             "\ud7ff", "\ue000", "\ufffd", "\U00010000", "\U0010ffff"};
   for (const std::string& character : characters)

@@ -66,7 +66,7 @@ correlation = [["beam.length", "beam.area", 0.25]]
 }
 
 // The mean of a key that is missing elsewhere is also what a shorthand is computed from, but does not contradict it.
-TEST_F(UncertaintyTable, SuppliesTheMeanWhereAValueIsMissing) {
+TEST_F(UncertaintyTable, SuppliesTheMean) {
   EXPECT_EQ(data::read_case(write(mu)).friction.static_coefficient(), 0.6);
   EXPECT_EQ(data::read_case(write(mu, true)).friction.static_coefficient(), 0.55);
   const auto read = [&](const std::string& beam, const std::string& excitation, const std::string& friction,
@@ -93,7 +93,7 @@ TEST_F(UncertaintyTable, SuppliesTheMeanWhereAValueIsMissing) {
   EXPECT_EQ(read(steel, motion, "", "beam.density").at("beam.density"), 7850.0);
 }
 
-TEST_F(UncertaintyTable, TakesSamplesInTheUnitOfTheirColumn) {
+TEST_F(UncertaintyTable, TakesSamplesInAnyUnit) {
   const auto samples = [&](const std::string& text, const std::string& column) {
     folder_.write("l.csv", text);
     const auto file =

@@ -64,7 +64,7 @@ TEST(PublishedData, IsWhatTheCodeMakes) {
   }
 }
 
-TEST(PublishedData, HoldsTheDataSetsThatAreMadeAndNothingElse) {
+TEST(PublishedData, HoldsWhatIsMadeAndNothingElse) {
   const data::ReferencePackage package = data::load_reference();
   std::vector<std::string> made, published;
   for (const reference::Recipe& recipe : reference::recipes()) made.emplace_back(recipe.name);
@@ -86,7 +86,7 @@ TEST(PublishedData, HoldsTheDataSetsThatAreMadeAndNothingElse) {
 
 // Values that are not exact have a radius that is not negative and, but for a zero, is below 1e-3 of the largest value of the column
 // or, where the range measures the error, of the range; enclosed ones have thirty digits, but for an exact zero.
-TEST(PublishedData, SaysOfEveryNumberHowFarItCanBeTrusted) {
+TEST(PublishedData, SaysHowFarItCanBeTrusted) {
   const data::ReferencePackage package = data::load_reference();
   for (const data::Resource& resource : package.resources) {
     const data::ReferenceTable table = data::read_table(package, resource.name);
@@ -113,7 +113,7 @@ TEST(PublishedData, SaysOfEveryNumberHowFarItCanBeTrusted) {
   }
 }
 
-TEST(PublishedData, StatesItsProblemsWordsAndReferences) {
+TEST(PublishedData, StatesProblemsAndReferences) {
   const data::ReferencePackage package = data::load_reference();
   const auto cells_of = [&](const std::string& resource, const std::string& column) {
     const auto cells = data::read_table(package, resource).column(column).text;
@@ -246,7 +246,7 @@ TEST(PublishedFields, AreThoseOfFiniteElements) {
 
 // The first 0.15 s by steps that damp what the mesh cannot resolve. Mesh and step are refined together, h as l^2: order 1 in
 // l or better, so that the difference is above the error.
-TEST(PublishedFields, OfTheUndampedBeamAreThoseOfAMesh) {
+TEST(PublishedFields, UndampedAreThoseOfAMesh) {
   const auto table = published("undamped-fields"), history = published("undamped-history-25");
   const auto on_mesh = [&](int elements, double steps_per_period) {
     const double step = 1.0 / (25.0 * steps_per_period);
@@ -330,7 +330,7 @@ TEST(PublishedFields, HaveTheSpectrumOfAMesh) {
   EXPECT_TRUE(within(amplitude(2.0), 0.0, proposed));
 }
 
-TEST(PublishedFields, OfTheSteadyStateAreThoseOfAMesh) {
+TEST(PublishedFields, SteadyAreThoseOfAMesh) {
   using enum comparison::Quantity;
   const auto table = published("damped-steady-state");
   const auto& frequencies = table.column("frequency").values;
@@ -358,7 +358,7 @@ TEST(PublishedFields, OfTheSteadyStateAreThoseOfAMesh) {
 }
 
 STICKSLIP_VERIFIES(PublishedFrequencies, "P6");
-TEST(PublishedFrequencies, OfTimoshenkoBeamsAreThoseInDoublePrecision) {
+TEST(PublishedFrequencies, AreThoseInDoublePrecision) {
   for (const auto& [set, tip] : {std::pair{"timoshenko-stick-frequencies", analytic::TipSupport::held},
                                  {"timoshenko-slip-frequencies", analytic::TipSupport::free}}) {
     const auto table = published(set);
@@ -376,7 +376,7 @@ TEST(PublishedFrequencies, OfTimoshenkoBeamsAreThoseInDoublePrecision) {
 }
 
 STICKSLIP_VERIFIES(PublishedForces, "P6");
-TEST(PublishedForces, OfAllModesAreThoseOfFiniteElements) {
+TEST(PublishedForces, AreThoseOfFiniteElements) {
   const auto table = published("friction-maxima-all-modes"),
              amplitudes = published("critical-amplitudes-all-modes");
   const data::Case problem =
@@ -402,7 +402,7 @@ TEST(PublishedForces, OfAllModesAreThoseOfFiniteElements) {
 }
 
 STICKSLIP_VERIFIES(PublishedMatrices, "P6");
-TEST(PublishedMatrices, AreThoseOfTheSolverToRounding) {
+TEST(PublishedMatrices, AreThoseOfTheSolver) {
   const auto table = published("beam-matrices");
   const solver::BeamModel mesh(data::load_case("paper").beam, 4);
   const Eigen::MatrixXd stiffness(mesh.elastic_stiffness());
