@@ -206,7 +206,7 @@ TEST(ComparedCopy, OfEveryDataSetAgreesWithoutError) {
 // --- rows
 
 STICKSLIP_VERIFIES(ComparedTable, "X20");
-TEST(ComparedTable, MatchesRowsByKeyAndNamesMissingOnes) {
+TEST(ComparedTable, MatchesRowsByKeyAndNamesTheRest) {
   auto mine = own_copy("stick-frequencies");
   for (auto& column : mine.table.columns) {
     std::ranges::reverse(column.text);
@@ -248,7 +248,7 @@ TEST(ComparedTable, RefusesRowsThatTheDataSetLacks) {
   EXPECT_EQ(own_copy("beams").error_message(), "the data set beams says nothing of how to compare with it");
 }
 
-TEST(ComparedTable, SaysOnceWhatSeveralGroupsLookLike) {
+TEST(ComparedTable, SaysOnceWhatTwoGroupsLookLike) {
   auto mine = own_copy("stick-frequencies");
   EXPECT_TRUE(mine.diagnosed().diagnoses.empty());
   for (double& frequency : mine["frequency"]) frequency *= 2.0;
@@ -411,7 +411,7 @@ TEST(DiagnosisOfMistake, IsTheMistakeThatWasMade) {
   }
 }
 
-TEST(DiagnosisOfMistake, IsNoneWithoutACaseOrAKnownMistake) {
+TEST(DiagnosisOfMistake, IsNoneOfAnUnknownMistake) {
   const auto diagnosis_of = [](OwnCopy mine, const char* column, const Values& changes,
                                const comparison::Settings& settings) {
     for (std::size_t row = 0; row < mine.table.rows(); ++row) mine[column][row] += changes[row % 2];

@@ -19,7 +19,7 @@ double above(double x) { return std::nextafter(x, std::numeric_limits<double>::i
 // --- what is not compared
 
 STICKSLIP_VERIFIES(ComparedRows, "X20");
-TEST(ComparedRows, WithoutAValueInTheDataSetAreLeftOut) {
+TEST(ComparedRows, WithoutAPublishedValueAreLeftOut) {
   auto mine = own_copy("stick-frequencies");
   mine.data_set().table.columns.at(2).values[1] = std::nan("");
   const auto frequency = mine.compared("frequency");
@@ -77,7 +77,7 @@ TEST(ComparedRows, EndWithTheHorizonAndTheRange) {
 // --- keys
 
 STICKSLIP_VERIFIES(ComparedKeys, "X20");
-TEST(ComparedKeys, InSinglePrecisionAreThoseOfTheirRows) {
+TEST(ComparedKeys, MayHaveSinglePrecision) {
   auto mine = published_copy("length-force");
   for (double& length : mine["length"]) length = static_cast<double>(static_cast<float>(length));
   mine["force_ratio"][3] *= 1.1;
@@ -126,7 +126,7 @@ OwnCopy between_samples() {
 }
 
 STICKSLIP_VERIFIES(ComparedHistory, "X20");
-TEST(ComparedHistory, IsInterpolatedWithinItsPhaseOnly) {
+TEST(ComparedHistory, IsInterpolatedInItsPhaseOnly) {
   for (const bool events : {false, true}) {
     const Comparison comparison =
         between_samples().compared(events ? with_events(own_copy("cubic-events")) : Settings());
@@ -159,7 +159,7 @@ TEST(ComparedHistory, CountsSamplesInAnotherPhase) {
 
 // The rows that nobody compares because of an event, and one beside them. Run a has its onset at 0.305 s, its reversal at
 // 0.515 s and its capture at 0.805 s, and samples every 10 ms.
-TEST(ComparedHistory, LeavesOutWhatAnEventMakesUncertain) {
+TEST(ComparedHistory, LeavesOutWhatIsNearAnEvent) {
   struct Uncertain {
     std::function<void(OwnCopy& history, OwnCopy& events)> spoil;
     std::size_t first, last, beside;
@@ -219,7 +219,7 @@ TEST(ComparedHistory, LeavesOutWhatAnEventMakesUncertain) {
   }
 }
 
-TEST(ComparedHistory, LeavesOutTheUncertaintyOfAnEvent) {
+TEST(ComparedHistory, LeavesOutTheRadiusOfAnEvent) {
   const auto events = own_copy("damped-events");
   const double time = events.table.column("time")->values[1],
                radius = events.reference().radius_of("time")[1];
@@ -243,7 +243,7 @@ TEST(ComparedHistory, LeavesOutTheUncertaintyOfAnEvent) {
   EXPECT_EQ(past_last(), before + 1);
 }
 
-TEST(ComparedHistory, IsAsUncertainAsTheWeightsBetween) {
+TEST(ComparedHistory, IsAsUncertainAsItsWeights) {
   // The cubic through four samples has the weights -1/16, 9/16, 9/16, -1/16 half-way, 5/4 in all; a quarter of the way
   // 7/128, 105/128, 35/128, 5/128 with signs.
   auto mine = own_copy("damped-history");

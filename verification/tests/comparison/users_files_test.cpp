@@ -66,7 +66,7 @@ TEST(ComparedWords, CountNotWhereAMeshMayDecideThem) {
   EXPECT_EQ(skipped_for(near, "too near to the threshold"), 1u);
 }
 
-TEST(ComparedWords, OfAnEventDecideWithWhichItIsPaired) {
+TEST(ComparedWords, OfAnEventDecideOnItsPartner) {
   for (const std::string set : {"published-problems", "single-mass-events"}) {
     auto mine = published_copy(set);
     for (std::string& word : mine.words("change"))
@@ -86,7 +86,7 @@ TEST(ComparedWords, OfAnEventDecideWithWhichItIsPaired) {
 // --- events
 
 STICKSLIP_VERIFIES(ComparedEvents, "X20");
-TEST(ComparedEvents, OfSeveralProblemsHaveAVerdictEach) {
+TEST(ComparedEvents, OfManyProblemsHaveAVerdictEach) {
   auto mine = published_copy("published-problems");
   mine.erase(32);
   const Comparison comparison = mine.compared();
@@ -241,7 +241,7 @@ TEST(ComparedCoverage, OfEventsEndsWithTheLastOne) {
   EXPECT_EQ(half.compared("sequence", with_events(events)).agreement, Agreement::agrees);
 }
 
-TEST(ComparedCoverage, OfATableIsThatOfTheRowsItMustHave) {
+TEST(ComparedCoverage, OfATableIsThatOfNeededRows) {
   using Ranges = std::vector<std::pair<std::size_t, std::size_t>>;
   auto mine = published_copy("classification"), problem = published_copy("published-problems");
   mine.keep([](std::size_t row) { return row < 48 || row == 50; });
@@ -272,7 +272,7 @@ TEST(ComparedCoverage, OfATableIsThatOfTheRowsItMustHave) {
             "row numbers are given, but the data set stick-history is one curve");
 }
 
-TEST(ComparedCoverage, AtRareSamplesGoesUpToTheEvents) {
+TEST(ComparedCoverage, AtRareSamplesGoesUpToEvents) {
   // Every 10 ms, with 94 events a second. Two samples are within the shortest phase of 0.33 ms of an event.
   auto energy = published_copy("stick-slip-energy");
   EXPECT_EQ(energy.compared().agreement, Agreement::agrees);
@@ -313,7 +313,7 @@ comparison::Samples sampled(std::size_t size, double step, const std::function<d
   return samples;
 }
 
-TEST(ComparedSamples, OfAQuarticHaveTheErrorOfTheCubic) {
+TEST(ComparedSamples, OfAQuarticHaveTheCubicsError) {
   const auto quartic = [](std::size_t size) {
     return sampled(size, 1.0, [](double x) { return x * x * x * x; });
   };
@@ -373,7 +373,7 @@ TEST(ComparedSamples, AreComparedWhereTheyAreAlone) {
 
 // The polynomials of the data set, of order 3 in each phase, at other times. Interpolation reproduces them but for some
 // ten eps.
-TEST(ComparedSamples, AreInterpolatedToThoseOfTheDataSet) {
+TEST(ComparedSamples, AreInterpolatedToThePublished) {
   // At 0.01, ..., 0.29 s of the data set, or at their 15 or 10 samples up to 0.283 s or 0.273 s.
   for (const auto& [step, count] :
        std::vector<std::pair<std::size_t, std::size_t>>{{1, 29}, {2, 15}, {3, 10}}) {

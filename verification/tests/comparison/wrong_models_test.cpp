@@ -162,7 +162,7 @@ double omitted_displacement(const data::Case& problem, std::size_t modes) {
 // --- the list
 
 STICKSLIP_VERIFIES(WrongModels, "X17");
-TEST(WrongModels, HaveANameOfTheirOwnAMistakeAndAPlace) {
+TEST(WrongModels, HaveAnOwnNameAMistakeAndAPlace) {
   std::set<std::string> names;
   for (const auto& wrong_model : comparison::wrong_models()) {
     EXPECT_TRUE(names.insert(wrong_model.name).second) << wrong_model.name;
@@ -421,7 +421,7 @@ TEST(WrongModel, OnTheMeshIsThatOfTheModesInStick) {
   }
 }
 
-TEST(WrongModel, ZeroInitialVelocityGrowsWithTheModes) {
+TEST(WrongModel, ZeroInitialVelocityGrowsWithModes) {
   const data::Case problem = with(paper_case(10.0), shaking(15.0));
   for (const auto& [modes, largest] : {std::pair{10, 201.0}, {20, 393.0}})
     EXPECT_TRUE(within(wrong_values(with_numerics(problem, 20, 1e-4, modes), "zero-initial-velocity",
@@ -666,7 +666,7 @@ TEST(Diagnosis, BlamesNobodyForAnUnlistedMistake) {
     }
 }
 
-TEST(Diagnosis, NamesHardlyAnyUnrelatedErrorByAccident) {
+TEST(Diagnosis, NamesHardlyAnyUnrelatedError) {
   // Deviations of random direction, of sizes over a decade: at most one in a hundred may be named.
   const ModelResults model_results = model_results_of(strip_case(0.5), force_maximum);
   RandomNumbers numbers(7);
@@ -797,7 +797,7 @@ TEST(Diagnosis, RefusesWhatItCannotCompare) {
 }
 
 STICKSLIP_VERIFIES(ReferenceResultsOf, "X17");
-TEST(ReferenceResultsOf, RefusesAnAbscissaItDoesNotHave) {
+TEST(ReferenceResultsOf, RefusesAnUnknownAbscissa) {
   const data::Case problem = paper_case(0.05);
   const auto is_refused = [](const data::Case& refused, Quantity quantity, const Values& abscissa) {
     EXPECT_THROW((void)comparison::model_results(refused, quantity, abscissa), std::invalid_argument)
@@ -819,7 +819,7 @@ TEST(ReferenceResultsOf, RefusesAnAbscissaItDoesNotHave) {
   is_refused(with_damping(problem, {.ratio = 0.01}), stick_force, {0.01});
 }
 
-TEST(ReferenceResultsOf, AreUncertainByARunOnHalfTheElements) {
+TEST(ReferenceResultsOf, AreUncertainByACoarserRun) {
   const data::Case problem = case_for("paper", tip_displacement);
   const Values times = steps_to(0.1, 20);
   for (const auto& [elements, coarser] : {std::pair{1, 1}, {3, 1}, {4, 2}}) {
