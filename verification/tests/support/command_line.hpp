@@ -13,9 +13,10 @@
 #include "stickslip/data/atomic_file.hpp"
 #include "support/testing.hpp"
 
-namespace stickslip::cli {
-int run_program(int argc, const char* const* argv);  // of program.hpp, which not every test has
-}
+namespace stickslip::cli {  // of program.hpp and answer.hpp, which not every test has
+int run_program(int argc, const char* const* argv);
+void set_most_digits(int digits);
+}  // namespace stickslip::cli
 
 namespace stickslip::testing {
 
@@ -31,6 +32,30 @@ inline std::string contents(const std::filesystem::path& file) {
   return text.str();
 }
 
+using Words = std::vector<std::string>;
+
+/// The words of a command line as a shell splits it at blanks, with quotes of both kinds and nothing else.
+inline Words words_of(const std::string& line) {
+  Words words;
+  char quote = ' ';
+  bool is_open = false;
+  for (const char c : line) {
+    if (quote == ' ' && c == ' ') {
+      is_open = false;
+      continue;
+    }
+    if (!is_open) words.emplace_back();
+    is_open = true;
+    if (quote == ' ' && (c == '\'' || c == '"'))
+      quote = c;
+    else if (c == quote)
+      quote = ' ';
+    else
+      words.back() += c;
+  }
+  return words;
+}
+
 /// Each test works in an empty folder of its own, so that a file needs no path.
 class CommandLine : public ::testing::Test {
  protected:
@@ -43,7 +68,8 @@ class CommandLine : public ::testing::Test {
   }
 
   /// Runs `stickslip` with these words in this process: another one costs more than most runs.
-  [[nodiscard]] Outcome run_here(const std::vector<std::string>& words) const {
+  [[nodiscard]] Outcome run_here(const Words& words) const {
+    cli::set_most_digits(6);  // another run may have changed it
     std::vector<const char*> arguments{"stickslip"};
     for (const std::string& word : words) arguments.push_back(word.c_str());
     std::fflush(nullptr);  // what GoogleTest has said is not the program's
@@ -64,6 +90,8 @@ class CommandLine : public ::testing::Test {
     return {status, contents(path("stdout")), contents(path("stderr"))};
   }
 
+  [[nodiscard]] Outcome run_line(const std::string& arguments) const { return run_here(words_of(arguments)); }
+
   /// Runs any command through the shell.
   [[nodiscard]] Outcome shell(const std::string& command) const {
     const int status =
@@ -72,9 +100,9 @@ class CommandLine : public ::testing::Test {
   }
 
   [[nodiscard]] nlohmann::json json(const std::string& arguments) const {
-    const Outcome outcome = run(arguments + " --json");
-    EXPECT_EQ(outcome.status, 0) << outcome.errors;
-    return nlohmann::json::parse(outcome.output);
+    const Outcome outcome = run_line(arguments + " --json");
+    EXPECT_EQ(outcome.status, 0) << arguments << '\n' << outcome.errors;
+    return nlohmann::json::parse(outcome.output, nullptr, false);
   }
 
   /// With the folder, for what works elsewhere.
@@ -88,12 +116,12 @@ class CommandLine : public ::testing::Test {
   }
 
   void expect_refused(const std::string& arguments, const std::string& part) const {
-    const Outcome outcome = run(arguments);
+    const Outcome outcome = run_line(arguments);
     EXPECT_EQ(outcome.status, 2) << arguments;
     EXPECT_EQ(outcome.output, "") << arguments;
-    EXPECT_TRUE(outcome.errors.starts_with("stickslip: ")) << outcome.errors;
+    EXPECT_TRUE(outcome.errors.starts_with("stickslip: ")) << arguments << ": " << outcome.errors;
     EXPECT_EQ(std::ranges::count(outcome.errors, '\n'), 1) << outcome.errors;
-    EXPECT_TRUE(holds(outcome.errors, part));
+    EXPECT_TRUE(holds(outcome.errors, part)) << arguments;
   }
 
  private:
@@ -112,6 +140,15 @@ inline std::vector<std::vector<std::string>> csv(const std::string& text) {
     for (std::string cell; std::getline(cells, cell, ',');) rows.back().push_back(cell);
   }
   return rows;
+}
+
+/// The columns of a table by their names, without empty lines.
+inline std::map<std::string, std::vector<std::string>> columns_of(const std::string& text) {
+  std::map<std::string, std::vector<std::string>> columns;
+  const auto rows = csv(text);
+  for (std::size_t i = 1; i < rows.size(); ++i)
+    for (std::size_t k = 0; k < rows[i].size(); ++k) columns[rows[0].at(k)].push_back(rows[i][k]);
+  return columns;
 }
 
 /// Commands that draw, with a gnuplot that the test provides, or with none. No gnuplot need be installed.

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// Random cases over the range that a case file may state, as case files: a claim that fails prints the file. A case is drawn in
-/// dimensionless numbers, so that a plastic clip and a steel pipe are equally likely.
+/// Random cases over the range that a case file may state, as case files: a claim that fails prints the file, and the simplest one of
+/// its relatives with which it fails as well. A case is drawn in dimensionless numbers, so that a plastic clip and a steel pipe are
+/// equally likely.
+
+#include <gtest/gtest-spi.h>
 
 #include <cstdlib>
 #include <map>
@@ -24,6 +27,8 @@ struct CaseDomain {
   double shear{0.0}, fixed_direction{0.4}, moving_wall{0.0}, yielding{0.0};
   double jump{0.1}, viscous{0.2};
   double resonant{0.0};  ///< next to the first natural frequency
+  double stated{0.0};    ///< the amplitude as a velocity or an acceleration
+  double units{0.0};     ///< the numbers of the beam as texts with units
 };
 
 /// The keys of a case with their values, as a file states them.
@@ -33,6 +38,9 @@ class CaseText {
   void set(const std::string& key, double value) { set(key, data::shortest_text(value)); }
   void erase(const std::string& key) { values_.erase(key); }
   [[nodiscard]] bool has(const std::string& key) const { return values_.contains(key); }
+
+  [[nodiscard]] const std::string& value(const std::string& key) const { return values_.at(key); }
+  [[nodiscard]] double number(const std::string& key) const { return data::value_of(problem(), key); }
 
   [[nodiscard]] std::string text() const {
     std::string lines, table;
@@ -49,6 +57,24 @@ class CaseText {
  private:
   std::map<std::string, std::string> values_;
 };
+
+/// The same motion of the base, stated by one of the keys with a unit that has `one` of the SI unit; excitation.amplitude takes them all.
+struct Statement {
+  std::string key, unit, at{key};
+  double one{1.0};
+};
+inline const std::vector<Statement> statements{
+    {"excitation.amplitude", "mm", "excitation.amplitude", 1e-3},
+    {"excitation.velocity_amplitude", "m/s"},
+    {"excitation.acceleration_amplitude", "m/s^2"},
+    {"excitation.acceleration_amplitude", "g", "excitation.amplitude", 9.80665}};
+
+inline CaseText stated(CaseText text, const Statement& statement) {
+  const double value = text.number(statement.key) / statement.one;
+  text.erase("excitation.amplitude");
+  text.set(statement.at, "\"" + data::shortest_text(value) + " " + statement.unit + "\"");
+  return text;
+}
 
 inline CaseText random_case(RandomNumbers& numbers, const CaseDomain& domain) {
   const auto happens = [&numbers](double share) { return numbers.uniform(0.0, 1.0) < share; };
@@ -104,6 +130,51 @@ inline CaseText random_case(RandomNumbers& numbers, const CaseDomain& domain) {
       text.set("contact.regularisation_velocity", speed * numbers.log_uniform(1e-3, 0.1));
     if (!text.has("friction.decay")) text.set("friction.decay", 1.0 / speed);
   }
+  if (domain.units > 0.0 && happens(domain.units))
+    for (const auto& [key, unit, one] : {std::tuple{"beam.length", "mm", 1e-3},
+                                         {"section.width", "um", 1e-6},
+                                         {"section.height", "cm", 1e-2},
+                                         {"beam.density", "g/cm^3", 1e3},
+                                         {"beam.youngs_modulus", "GPa", 1e9},
+                                         {"beam.axial_force", "kN", 1e3},
+                                         {"excitation.frequency_hz", "kHz", 1e3}})
+      text.set(key, "\"" + data::shortest_text(text.number(key) / one) + " " + unit + "\"");
+  if (domain.stated > 0.0 && happens(domain.stated))
+    text = stated(text, statements[static_cast<std::size_t>(numbers.whole(0, 3))]);
+  return text;
+}
+
+/// The results of a claim about a case, which are not yet those of the test.
+template <typename Claim>
+std::vector<::testing::TestPartResult> failures_of(Claim& claim, const CaseText& text,
+                                                   RandomNumbers numbers) {
+  ::testing::TestPartResultArray results;
+  {
+    const ::testing::ScopedFakeTestPartResultReporter kept(
+        ::testing::ScopedFakeTestPartResultReporter::INTERCEPT_ONLY_CURRENT_THREAD, &results);
+    claim(text, numbers);
+  }
+  std::vector<::testing::TestPartResult> failures;
+  for (int i = 0; i < results.size(); ++i)
+    if (results.GetTestPartResult(i).failed()) failures.push_back(results.GetTestPartResult(i));
+  return failures;
+}
+
+/// The case with as many of its features at their defaults as leave the claim false.
+template <typename Claim>
+CaseText simplest(Claim& claim, CaseText text, const RandomNumbers& numbers) {
+  for (const char* feature :
+       {"damping.kelvin_voigt", "damping.ratio", "wall.speed", "contact.tangential_stiffness",
+        "contact.regularisation_velocity", "beam.axial_direction", "beam.poissons_ratio", "friction.viscous",
+        "friction.decay", "friction.kinetic_coefficient"}) {
+    if (!text.has(feature)) continue;
+    CaseText simpler = text;
+    simpler.erase(feature);
+    try {
+      if (!failures_of(claim, simpler, numbers).empty()) text = simpler;
+    } catch (const std::exception&) {  // there is no such case
+    }
+  }
   return text;
 }
 
@@ -120,8 +191,14 @@ void on_random_cases(int count, const CaseDomain& domain, Claim&& claim, std::ui
   for (std::uint64_t seed = first_seed; seed < first_seed + static_cast<std::uint64_t>(count); ++seed) {
     RandomNumbers numbers(seed);
     const CaseText text = random_case(numbers, domain);
+    const auto failures = failures_of(claim, text, numbers);
+    if (failures.empty()) continue;
     SCOPED_TRACE("seed " + std::to_string(seed) + ", save it as random.toml:\n" + text.text());
-    claim(text, numbers);
+    for (const auto& failure : failures)
+      GTEST_MESSAGE_AT_(failure.file_name(), failure.line_number(), failure.message(), failure.type());
+    ADD_FAILURE() << "try `stickslip respond random.toml` or `stickslip criterion random.toml`; the simplest "
+                     "such case is\n"
+                  << simplest(claim, text, numbers).text();
     if (::testing::Test::HasFatalFailure()) return;
   }
 }
