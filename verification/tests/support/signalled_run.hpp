@@ -81,16 +81,17 @@ class SignalledRun : public Drawing {
   }
 
   /// What a command says that is ended by a signal of a tool, without the program's name: sent to it alone, as by a scheduler, or to
-  /// all that it has started, as by a terminal. The tool would go on for a minute, and must have ended.
+  /// all that it has started, as by a terminal. The tool would go on for longer than the run may take, and must have ended.
   [[nodiscard]] std::string said_after(int signal, bool alone, const std::string& tool,
                                        const std::string& arguments) const {
     const std::string temporary = path("temporary"), sleeper = path("sleeper");
+    const int limit = tool == "gnuplot" ? 60 : 3600;  // s: LaTeX comes after all studies
     install_tool(tool,
-                 fmt::format("[ \"$1\" = --version ] && exit\necho $$ >'{}'\nkill -{} {}\nexec sleep 60\n",
-                             sleeper, signal, alone ? "$PPID" : "0"));
+                 fmt::format("[ \"$1\" = --version ] && exit\necho $$ >'{}'\nkill -{} {}\nexec sleep {}\n",
+                             sleeper, signal, alone ? "$PPID" : "0", 2 * limit));
     std::filesystem::create_directory(temporary);
-    const Outcome outcome =
-        shell(fmt::format("TMPDIR='{}' setsid --wait '{}' {}", temporary, STICKSLIP_PROGRAM, arguments));
+    const Outcome outcome = shell(fmt::format("TMPDIR='{}' timeout -k 5 {} setsid --wait '{}' {}", temporary,
+                                              limit, STICKSLIP_PROGRAM, arguments));
     EXPECT_EQ(outcome.status, 128 + signal) << outcome.errors;
     const std::string stat = "/proc/" + std::to_string(std::stoi(contents(sleeper))) + "/stat";
     const auto is_running = [&] {
