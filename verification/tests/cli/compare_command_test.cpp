@@ -93,6 +93,7 @@ class CompareCommand : public Drawing {
   [[nodiscard]] nlohmann::json comparison(const std::string& command, int status) const {
     const Outcome outcome = run(command + " --json -");
     EXPECT_EQ(outcome.status, status) << outcome.errors;
+    EXPECT_TRUE(outcome.output.starts_with("{\n  \"")) << outcome.output;
     return nlohmann::json::parse(outcome.output);
   }
 
@@ -361,6 +362,13 @@ TEST_F(CompareCommand, SaysAllThatTheComparisonFound) {
                   .ends_with("\nundecided: nothing differs, but the reference does not settle everything\n"));
   comparison.quantities.resize(1);
   EXPECT_TRUE(holds(cli::text_of(comparison), "strict\nrun = a: like one\n"));
+
+  comparison.quantities = {made_up().quantities.back()};
+  comparison.rows = 21, comparison.all_rows = 40;
+  comparison.row_numbers = std::string(40, '1');
+  EXPECT_TRUE(holds(cli::text_of(comparison), "more are asked for; --rows " + comparison.row_numbers));
+  comparison.row_numbers += '1';  // which is too long to be repeated
+  EXPECT_TRUE(holds(cli::text_of(comparison), "more are asked for\n"));
 
   const auto json = cli::json_of(made_up(), "mine.csv");
   EXPECT_EQ(json["quantities"][0], cli::Json::parse(R"({"quantity": "y", "unit": "m", "norm": "range",
