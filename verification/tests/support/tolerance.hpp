@@ -50,16 +50,16 @@ inline Tolerance reference(double accuracy, const std::string& source) {
   return {accuracy, "reference", "accuracy of " + source};
 }
 
-/// |computed - expected| <= tolerance, and neither is NaN. The comparison is recorded for the traceability
-/// matrix; with a name, such as that of a printed number, it has a row of its own there.
+/// |computed - expected| <= tolerance, and neither is NaN. The comparison is recorded for the traceability matrix; a failure says the
+/// name.
 inline ::testing::AssertionResult within(double computed, double expected, const Tolerance& tolerance,
                                          const std::string& name = "") {
   const double error = std::abs(computed - expected);
-  note({name, computed, expected, error, tolerance.value, tolerance.tolerance_class, tolerance.derivation});
+  note({computed, expected, error, tolerance.value, tolerance.tolerance_class, tolerance.derivation});
   if (error <= tolerance.value) return ::testing::AssertionSuccess();
   std::ostringstream text;
   text.precision(17);
-  text << "\n  expected  " << expected << "\n  computed  " << computed << "\n  error     " << error
+  text << name << "\n  expected  " << expected << "\n  computed  " << computed << "\n  error     " << error
        << "\n  tolerance " << tolerance.value << "  (" << tolerance.tolerance_class << ": "
        << tolerance.derivation << ")\n  margin    " << error / tolerance.value
        << " (error / tolerance, allowed up to 1)";

@@ -15,7 +15,6 @@ namespace stickslip::testing {
 
 /// What a comparison found.
 struct ComparedNumber {
-  std::string name;  ///< what was compared, as the report names it; may be empty
   double computed{}, expected{}, error{}, tolerance{};
   std::string tolerance_class;  ///< round-off, discretisation or reference
   std::string derivation;
@@ -33,7 +32,6 @@ class Trace {
   /// computed, expected, error, tolerance, margin, class, derivation   of the one with the largest margin
   /// tolerances.<class>                      "how many; error; tolerance; margin; derivation" of those of the
   ///                                         class, the four last ones of that with the largest margin
-  /// compared.<name>                         the same of each named comparison, separated by "; "
   ///
   /// A comparison that fails in a test that passes was meant to fail, and is left out.
   [[nodiscard]] std::map<std::string, std::string> properties(bool test_passed) const;
