@@ -32,6 +32,12 @@ double range(std::vector<double> values) {
   return most - least;
 }
 
+std::vector<double> column_of(const Rows& rows, std::size_t column) {
+  std::vector<double> values;
+  for (const auto& row : rows) values.push_back(std::stod(row[column]));
+  return values;
+}
+
 class HistoryFiles : public SignalledRun {
  protected:
   // The rows of the command's history behind the names of the columns.
@@ -97,11 +103,7 @@ TEST_F(HistoryFiles, AreDrawnAsTheyAre) {
         rows_of("random.toml --method event-driven --events events.csv --figure drawn.svg --size 12x8");
     const std::string svg = contents("drawn.svg");
     EXPECT_TRUE(holds(svg, "width=\"453\" height=\"302\""));  // 96 pixels in 2.54 cm
-    const auto of = [&](std::size_t column) {
-      std::vector<double> values;
-      for (const auto& row : rows) values.push_back(std::stod(row[column]));
-      return values;
-    };
+    const auto of = [&](std::size_t column) { return column_of(rows, column); };
     const auto height = [&](const char* title) {
       std::vector<double> ys;
       for (const Line& line : curve(svg, title))
@@ -140,6 +142,16 @@ TEST_F(HistoryFiles, AreDrawnAsTheyAre) {
     }
   });
   EXPECT_GT(thick, 100);
+}
+
+// By the smallest and largest values in each of a thousand columns.
+TEST_F(HistoryFiles, AreDrawnFromFewRowsThatReachAsFar) {
+  install_gnuplot("cat \"${folder}history.csv\" > $output\n");
+  const auto all = rows_of(short_steps + "--duration 0.08 --every 1 --figure drawn.svg");
+  const auto drawn = rows_in("drawn.svg");
+  EXPECT_LT(drawn.size(), 2100u);
+  for (const std::size_t column : {1u, 2u, 3u, 4u, 5u})
+    EXPECT_EQ(range(column_of(drawn, column)), range(column_of(all, column)));
 }
 
 TEST_F(HistoryFiles, AreDrawnInASizeThatHoldsThem) {
