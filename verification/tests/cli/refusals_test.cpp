@@ -162,7 +162,6 @@ class Refusals : public Drawing {
 STICKSLIP_VERIFIES(Refusals, "U2");
 TEST_F(Refusals, AreThoseOfTheUserGuide) {
   const CaseDomain all{.highest_force = 0.1,  // a dead load buckles a free tip at an eighth of P_cr
-
                        .shortest = 4.0,
                        .longest = 4.0,
                        .lowest_frequency = 2.0,
@@ -174,7 +173,7 @@ TEST_F(Refusals, AreThoseOfTheUserGuide) {
                        .yielding = 1.0,
                        .jump = 0.0,
                        .viscous = 0.0};
-  on_random_cases(3, all, [&](CaseText drawn, RandomNumbers& numbers) {
+  on_random_cases(1, all, [&](CaseText drawn, RandomNumbers& numbers) {
     CaseText plain = drawn;
     std::vector<Refusable> features;
     for (const Refusable& one : keys)

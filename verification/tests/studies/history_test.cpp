@@ -587,7 +587,7 @@ TEST(HistorySpectrum, HasTheAmplitudes) {
     const auto expect_line = [&](double at, double expected) {
       const auto& line = spectrum.lines[static_cast<std::size_t>(std::lround(at))];
       const double off = is_whole ? 1e-12 : 1e-3;
-      EXPECT_DOUBLE_EQ(line.frequency_hz, std::lround(at) / 2.0);
+      EXPECT_DOUBLE_EQ(line.frequency_hz, std::round(at) / 2.0);
       const Tolerance tolerance = discretisation(off * (expected + amplitude), 1.0, "flat-top window");
       EXPECT_TRUE(within(line.tip_displacement, expected, tolerance)) << other;
       EXPECT_TRUE(within(0.5 * line.friction_force, expected, tolerance)) << other;
