@@ -48,7 +48,7 @@ void move(const fs::path& file, const fs::path& target) {
 
 OutputFolder::OutputFolder(const fs::path& folder) {
   std::error_code error;
-  fs::create_directories(folder, error);
+  is_new_ = fs::create_directories(folder, error);
   if (!error) folder_ = fs::canonical(folder, error);
   if (error) throw data::InputError(fmt::format("output folder {}: {}", folder.string(), error.message()));
   lock_ = lock_folder(folder_);
@@ -68,6 +68,7 @@ OutputFolder::~OutputFolder() {
 void OutputFolder::clear_scratch() const noexcept {
   std::error_code ignored;
   fs::remove_all(scratch_, ignored);
+  if (is_new_) fs::remove(folder_, ignored);  // only where it is empty
 }
 
 void OutputFolder::write(const std::string& name, std::string_view text) {

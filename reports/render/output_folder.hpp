@@ -25,8 +25,8 @@ class OutputFolder {
   /// be written.
   void write(const std::string& name, std::string_view text);
 
-  /// Removes the scratch folder, for a program that ends here; from any thread. What cannot be removed the
-  /// next one clears away.
+  /// Removes the scratch folder, and the folder where this made it and nothing is in it, for a program that
+  /// ends here; from any thread. What cannot be removed the next one clears away.
   void clear_scratch() const noexcept;
 
   /// Moves a file of the scratch folder into the folder, under its own name. Throws std::runtime_error.
@@ -35,6 +35,7 @@ class OutputFolder {
  private:
   std::filesystem::path folder_;
   std::filesystem::path scratch_;
+  bool is_new_{};
   int lock_{-1};
 };
 

@@ -323,7 +323,7 @@ TEST_F(Refusals, OfOptionsNameThemWithTheirValue) {
     expect_refused(command + "amplitude=1e-4:1e-3:2 --amplitude 1e-3",
                    "--amplitude is given, but " + option + "varies excitation.amplitude");
   }
-  EXPECT_EQ(files().size(), 4u);  // stdout, stderr, tools and the folder of `animate`, which is empty
+  EXPECT_EQ(files().size(), 3u);  // stdout, stderr and tools
   EXPECT_EQ(run_line("map --states-only --duration 0.1 --x length=1:2:2000 --y amplitude=1e-4:1e-3:2").status,
             0);
 }

@@ -29,14 +29,13 @@ TEST(MicroSticks, AreMergedIntoTheSlipAroundThem) {
   const std::vector<ContactEvent> chatter{{onset, 1.0, 0.0},    {capture, 2.0, 0.1}, {onset, 2.01, 0.1},
                                           {capture, 2.02, 0.1}, {onset, 2.03, 0.1},  {capture, 3.0, 0.2}};
   const std::vector<ContactEvent> unfinished{{capture, 2.0, 0.1}, {onset, 2.5, 0.1}}, none;
-  using Times = std::vector<double>;
   // A span of zero merges nothing, and neither a micro-slip nor an unfinished stick is ever merged.
-  const std::tuple<std::vector<ContactEvent>, double, Times> rows[] = {
-      {events, 0.1, Times{1.0, 3.0, 4.0, 4.001}},
+  const std::tuple<std::vector<ContactEvent>, double, std::vector<double>> rows[] = {
+      {events, 0.1, std::vector{1.0, 3.0, 4.0, 4.001}},
       {events, 0.0, times_of(events)},
       {unfinished, 0.5, times_of(unfinished)},
-      {none, 1.0, Times{}},
-      {chatter, 0.1, Times{1.0, 3.0}}};
+      {none, 1.0, {}},
+      {chatter, 0.1, std::vector{1.0, 3.0}}};
   for (const auto& [all, shortest, times] : rows)
     EXPECT_EQ(times_of(studies::without_micro_sticks(all, shortest)), times);
   EXPECT_EQ(studies::first_capture(events).value().position, 0.1);
