@@ -372,7 +372,7 @@ TEST(RandomRows, ObeyTheLawOnEveryStep) {
 // A spectral radius that lets stiff modes turn over in each step may invent changes, but then the run says so.
 TEST(RandomRows, OfAnyRadiusAgreeOrSaySo) {
   int right = 0, wrong = 0;
-  on_motions(8, slipping, [&](const data::Case& drawn) {
+  on_motions(6, slipping, [&](const data::Case& drawn) {
     const data::Case problem = with_value(drawn, "numerics.spectral_radius", 0.9);
     const Judge judge(problem, {});
     if (!judge.is_converged()) return;
