@@ -86,7 +86,8 @@ TEST_F(HistoryFiles, HaveTheRowsOfAWindow) {
 TEST_F(HistoryFiles, LoseNoExtremeBetweenTheirRows) {
   const std::string options = "respond " + short_steps + "--duration 0.08 --output history.csv ";
   const auto all = json(options + "--every 1"),
-             few = nlohmann::json::parse(run(options + "--every 4001 --json").output);  // a process of its own
+             few =
+                 nlohmann::json::parse(run(options + "--every 4001 --json").output);  // a process of its own
   EXPECT_EQ(few["rows"], 20);
   for (const char* key : {"largest_friction_force_N", "largest_deflection_m", "first_slip_s"})
     EXPECT_EQ(all[key], few[key]) << key;
