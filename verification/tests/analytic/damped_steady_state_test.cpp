@@ -65,7 +65,7 @@ TEST(DampedSteadyState, SolvesTheEquationOfMotion) {
   }
 }
 
-TEST(DampedSteadyState, IsClampedInTheBaseAndHeldOrFreeAtTheTip) {
+TEST(DampedSteadyState, MeetsItsBoundaryConditions) {
   for (const Vibration& v : vibrations()) {
     const DampedSteadyState solution = v.solution();
     const auto expect_zero = [&](int order, double x) {
@@ -88,7 +88,7 @@ Complex integral(const Function& function, int n) {
   return sum * length / (3.0 * n);
 }
 
-TEST(DampedSteadyState, DissipatesTheSquaredCurvatureRate) {
+TEST(DampedSteadyState, DissipatesByCurvatureRate) {
   // Simpson's rule on n intervals, its error estimated by halving them; the integrand oscillates at most with
   // 2 |r|.
   // Besides, so little damping that the waves of a pair hardly differ, and so many waves that sinh overflows.

@@ -19,7 +19,7 @@ using analytic::SlipMode;
 constexpr double kFlutterFactor = 20.0509536189737612;
 
 STICKSLIP_VERIFIES(SlipModes, "A3");
-TEST(SlipModes, AreAllSignChangesOfTheCharacteristicFunction) {
+TEST(SlipModes, AreAllSignChanges) {
   for (const auto& [factor, chi] : {std::pair{-100.0, 0.0},
                                     {0.0, 0.0},
                                     {0.12, 0.0},
@@ -67,7 +67,7 @@ constexpr std::pair<double, double> loads[] = {{-1e3, 1.0}, {-50.0, 0.4}, {-10.0
                                                {19.0, 0.0}, {4.0, 0.6},   {2.0, 1.0},   {2.4, 1.0}};
 
 // Shapes, curvatures and the modes of the transposed problem, all 1 at the tip, of the frequency that the mode has.
-TEST(SlipModes, ShapesSolveBothBoundaryValueProblems) {
+TEST(SlipModes, SolveBothBoundaryProblems) {
   for (const auto& [factor, chi] : loads) {
     const data::Beam beam = loaded_paper_beam(factor, chi);
     for (const SlipMode& mode : slip_modes(beam, 6)) {
@@ -95,7 +95,7 @@ TEST(SlipModes, ShapesSolveBothBoundaryValueProblems) {
 }
 
 STICKSLIP_VERIFIES(FlutterLoad, "A3");
-TEST(FlutterLoad, GivesWayToABucklingLoadWhichIsRefusedAsSuch) {
+TEST(FlutterLoad, GivesWayToABucklingLoad) {
   for (const double factor : {2.468, 30.0}) {
     SCOPED_TRACE(factor);
     expect_error_message<data::FieldError>(
@@ -104,7 +104,7 @@ TEST(FlutterLoad, GivesWayToABucklingLoadWhichIsRefusedAsSuch) {
   }
 }
 
-TEST(FlutterLoad, DoesNotDependOnTheBeamsOwnAxialForce) {
+TEST(FlutterLoad, DoesNotDependOnThePresentForce) {
   EXPECT_EQ(slip_critical_load(paper_beam_with_axial_force(-1e4)), slip_critical_load(paper_beam()));
 }
 
@@ -138,7 +138,7 @@ const std::vector<double> kLoadFactors{-1e4, -0.9 * buckling_factor, -0.1 * buck
 
 STICKSLIP_VERIFIES(StickModes, "A2");
 // Of the norms: a wrong root has a wrong shape at the clamp, below.
-TEST(StickModes, NormsGiveTheFrequencyByRayleighsQuotient) {
+TEST(StickModes, HaveRayleighsQuotient) {
   for (const double factor : kLoadFactors)
     for (const data::Beam beam = paper_beam_with_load_factor(factor);
          const StickMode& mode : stick_modes(beam, 50)) {
@@ -152,7 +152,7 @@ TEST(StickModes, NormsGiveTheFrequencyByRayleighsQuotient) {
     }
 }
 
-TEST(StickModes, ConditionNumberIsTheSensitivityToForce) {
+TEST(StickModes, HaveTheConditionOfTheirForce) {
   for (const double share : {-15.0, -0.9, 0.1, 0.5, 0.9})
     for (std::size_t n = 0; n < 3; ++n) {
       const double force = share * stick_buckling_load(paper_beam());
@@ -178,7 +178,7 @@ TEST(StickModes, RefuseTheBucklingLoadAndSayWhy) {
   }
 }
 
-TEST(StickModes, ArePositiveOrRefusedAtTheBucklingLoad) {
+TEST(StickModes, AreRefusedAtTheBucklingLoad) {
   const double load = stick_buckling_load(paper_beam());
   for (int ulps = 1; ulps <= 64; ulps *= 2) {
     const data::Beam beam = paper_beam_with_axial_force(load * (1.0 - ulps * 0.5 * kEpsilon));
@@ -196,7 +196,7 @@ TEST(StickModes, RefuseACountOutOfRangeAndSayWhy) {
               "numerics.modes is " + std::to_string(count) + ", but must be 1 ... 1000");
 }
 
-TEST(StickModes, AThousandMeetTheirBoundaryConditions) {
+TEST(StickModes, MeetTheirBoundaryConditions) {
   for (const double factor : {-1e4, 0.0, 15.0}) {
     for (const StickMode& mode : stick_modes(paper_beam_with_load_factor(factor), 1000)) {
       const double bb = mode.trigonometric_wave_number() * 2.0, b = mode.hyperbolic_wave_number() * 2.0;
@@ -216,7 +216,7 @@ TEST(StickModes, AThousandMeetTheirBoundaryConditions) {
 }
 
 STICKSLIP_VERIFIES(QuasiStaticShape, "A1");
-TEST(QuasiStaticShape, BecomesATautStringUnderStrongTension) {
+TEST(QuasiStaticShape, BecomesATautString) {
   // With s = sqrt(-z) and exp(-s) below round-off: S = -[xi - (1 - exp(-s xi))/s]/(1 - 1/s).
   for (const double factor : {-1e4, -1e6, -1e10}) {
     const QuasiStaticShape shape(paper_beam_with_load_factor(factor));

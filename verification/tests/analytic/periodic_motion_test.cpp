@@ -42,7 +42,7 @@ analytic::ContactModel jumping_belt(const Belt& belt) {
 }
 
 STICKSLIP_VERIFIES(MovingWall, "W1");
-TEST(MovingWall, LeavesNothingUnexplainedInTheEnergyBalance) {
+TEST(MovingWall, KeepsTheEnergyBalance) {
   const Belt belt;
   analytic::EventDriven run(jumping_belt(belt), {.keep_energy_balance = true});
   run.advance_to(5.0);
@@ -66,7 +66,7 @@ void expect_multipliers(const std::vector<Complex>& computed, const std::vector<
 }
 
 STICKSLIP_VERIFIES(PeriodicMotion, "W3");
-TEST(PeriodicMotion, MassOnABeltHasTheClosedFormPeriod) {
+TEST(PeriodicMotion, OfABeltHasTheExactPeriod) {
   const Belt belt;
   const auto [motion, reason] = analytic::self_excited_motion(jumping_belt(belt), 20.0, 0.01);
   ASSERT_TRUE(motion);
@@ -78,7 +78,7 @@ TEST(PeriodicMotion, MassOnABeltHasTheClosedFormPeriod) {
 }
 
 // A mass with a damper that slides with falling friction is linear but for the change of the slope.
-TEST(PeriodicMotion, SteadySlidingHasTheLinearMultipliers) {
+TEST(PeriodicMotion, OfSlidingHasItsMultipliers) {
   const double mass = 2.0, stiffness = 50.0, damping = 0.7, speed = 0.4;
   analytic::ContactModel model =
       contact_model({.mass = mass,
@@ -102,7 +102,7 @@ TEST(PeriodicMotion, SteadySlidingHasTheLinearMultipliers) {
 // Den Hartog (1931): a mass between two stops of velocity, m = k = 1, force F sin(beta t), friction f, no halt. With
 // theta = pi/beta: x0 is the amplitude, r the ratio of the accelerations after and before a reversal, and half a period,
 // mirrored, is diag(1, r) times the rotation by theta.
-TEST(PeriodicMotion, OfDenHartogHasTheMultipliersInClosedForm) {
+TEST(PeriodicMotion, OfDenHartogIsExact) {
   for (const double beta : {0.7, 0.85, 1.3}) {
     SCOPED_TRACE(beta);
     const double force = 1.0, friction = 0.1, theta = pi / beta;
@@ -175,7 +175,7 @@ void expect_derivative_of_differences(const analytic::ContactModel& model,
 }
 
 // The pair of masses on a moving wall with a falling law: stops, onsets and reversals.
-TEST(PeriodicMotion, DerivativeIsThatOfFiniteDifferences) {
+TEST(PeriodicMotion, HasTheDerivativeOfDifferences) {
   analytic::ContactModel model = contact_model(ForcedPair());
   for (const double decay : {1.5, std::numeric_limits<double>::infinity()}) {
     model.friction =
@@ -196,7 +196,7 @@ TEST(PeriodicMotion, DerivativeIsThatOfFiniteDifferences) {
   }
 }
 
-TEST(PeriodicMotion, ForcedPairReturnsWithZeroMultipliers) {
+TEST(PeriodicMotion, OfAForcedPairReturns) {
   analytic::ContactModel model = contact_model(ForcedPair());
   const auto [motion, reason] = analytic::forced_motion(model, 1, 20);
   ASSERT_TRUE(motion);
@@ -209,7 +209,7 @@ TEST(PeriodicMotion, ForcedPairReturnsWithZeroMultipliers) {
   EXPECT_TRUE(within(motion->multipliers.back(), 0.0, discretisation(1e-12, 1.0, "1e-13 a step")));
 }
 
-TEST(PeriodicMotion, IsNotFoundWhereTheContactNeverSlips) {
+TEST(PeriodicMotion, IsNotFoundWithoutSlip) {
   analytic::ContactModel model = contact_model(ForcedPair());
   model.normal_force = 1e3;
   EXPECT_EQ(analytic::forced_motion(model, 1, 5).reason, analytic::NoMotion::sticks);
@@ -218,7 +218,7 @@ TEST(PeriodicMotion, IsNotFoundWhereTheContactNeverSlips) {
 
 // Without a spring the wall drags a mass with a damper c to the velocity mu_m N/c, here 0.015 and 0.005 of the wall's 2 m/s:
 // steady is what stays below a hundredth. On a spring it rings down to as much in the time that the run settles.
-TEST(PeriodicMotion, CycleExceedsOnePercentOfTheWallSpeed) {
+TEST(PeriodicMotion, ExceedsAHundredthOfTheWall) {
   const auto reason = [](double stiffness, double damping, const data::FrictionCoefficients& friction,
                          double settle) {
     analytic::ContactModel model =
@@ -238,7 +238,7 @@ TEST(PeriodicMotion, CycleExceedsOnePercentOfTheWallSpeed) {
   EXPECT_EQ(reason(1.0, 0.0, {100.0, 100.0}, 1.0), analytic::NoMotion::sticks);
 }
 
-TEST(PeriodicMotion, SelfExcitationNeedsAMovingWallAndNoLoad) {
+TEST(PeriodicMotion, NeedsAMovingWallWithoutLoad) {
   const auto search = [](const analytic::ContactModel& model) {
     (void)analytic::self_excited_motion(model, 1.0, 0.01);
   };
@@ -258,7 +258,7 @@ TEST(PeriodicMotion, SelfExcitationNeedsAMovingWallAndNoLoad) {
 }
 
 // The change at t = 0 belongs to the start: the flow is that of a start in slip.
-TEST(PeriodicMotion, FollowsAStartThatCannotStickAsOneInSlip) {
+TEST(PeriodicMotion, FollowsAStartThatCannotStick) {
   const analytic::ContactModel model =
       contact_model({.stiffness = 2.0,
                      .normal_force = 10.0,

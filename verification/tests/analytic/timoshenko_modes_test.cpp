@@ -94,7 +94,7 @@ double cutoff_frequency(const data::Beam& beam) {
 
 STICKSLIP_VERIFIES(TimoshenkoModes, "A11");
 // With the tip held, with axial force of either sign and above the cut-off frequency; with it free, up to there.
-TEST(TimoshenkoModes, AreAllThoseOfASpectralDiscretisation) {
+TEST(TimoshenkoModes, AreAllOfASpectralMethod) {
   for (const auto& [beam, tip] : {std::pair{slender, TipSupport::free},
                                   {stout, TipSupport::free},
                                   {stout, TipSupport::held},
@@ -145,7 +145,7 @@ TEST(TimoshenkoModes, RefuseWhatHasNoSuchForm) {
 STICKSLIP_VERIFIES(TimoshenkoReaction, "A12");
 // Rotary inertia and shear leave (r^2 + s^2) n^2/2 < 1e-12 in the frequencies of twenty modes, and a few times that in the
 // shares.
-TEST(TimoshenkoReaction, IsEulerBernoulliWithoutShear) {
+TEST(TimoshenkoReaction, IsEulersWithoutShear) {
   for (const double axial_force : {-3000.0, 0.0, 500.0, 50e3})
     for (const double axial_direction : {0.0, 0.3, 1.0}) {
       const auto rigid = analytic::modal_reaction(thin(0.0, axial_force, axial_direction), 20);
@@ -184,7 +184,7 @@ TEST(TimoshenkoReaction, SumsUpToTheSteadyVibration) {
 
 // Of a mode whose share is c, c Omega^3/((omega_n^2 - Omega^2) omega_n) vibrates freely: 1/24 of c at omega_n = 3 and Omega =
 // 1. Only the last four modes count, times the number of all.
-TEST(TimoshenkoReaction, OmittedPartIsBoundedByTheLastFourModes) {
+TEST(TimoshenkoReaction, OmittedPartIsBounded) {
   analytic::ModalReaction reaction{.quasi_static = 1.0, .modes = {{3.0, -2.4}}};
   EXPECT_DOUBLE_EQ(analytic::timoshenko_omitted_transient(reaction, 1.0), 0.1);
   reaction.modes = {{0.5, 1.0}, {3.0, -2.4}, {3.0, 1.2}, {3.0, 0.0}, {3.0, 1.2}};

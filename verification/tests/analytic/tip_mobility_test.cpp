@@ -47,7 +47,7 @@ TEST(TipMobility, SolvesTheBoundaryValueProblem) {
         }
 }
 
-TEST(TipMobility, LosesNoDigitsWhereTheExponentsMeet) {
+TEST(TipMobility, LosesNoDigitsAtEqualRoots) {
   // At k = z/2 the waves are two, not four. A function without poles in a circle is the mean over it: of 16
   // points, up to (0.5/3)^16 = 4e-13 for the poles, 3 or more away.
   constexpr int points = 16;

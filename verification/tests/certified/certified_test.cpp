@@ -383,7 +383,7 @@ TEST(CertifiedMaximum, LiesBeforeARisingEnd) {
   EXPECT_TRUE(Real(1.07e-7) < excess && excess < Real(1.09e-7));
 }
 
-TEST(CertifiedMaximum, IsRefusedIfStationaryAtTheEnd) {
+TEST(CertifiedMaximum, RefusesAStationaryEnd) {
   refuses<runtime_error>("certain sign at the ends", [] {
     (void)max_abs_of_sinusoids({{Real(1), 2 * pi()}}, "1.25");
   });

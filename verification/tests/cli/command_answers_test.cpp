@@ -493,7 +493,7 @@ TEST_F(Answers, SquealHasAsManyModesAsItsModel) {
 }
 
 // Below the critical speed of 1 % of damping a disturbance grows, slowly at 0.2 % below it, and above it none does.
-TEST_F(Answers, SquealMapsTheGrowthOverSpeedsAndRatios) {
+TEST_F(Answers, SquealMapsTheGrowth) {
   install_gnuplot("cat \"${folder}squeal.csv\" > $output\n");
   const std::string reed =
       "squeal reed --set numerics.modes=2 --set numerics.elements=4 --settle 1 --modes 3 ";

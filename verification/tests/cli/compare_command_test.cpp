@@ -53,7 +53,7 @@ TEST_F(ReferenceCommand, ShowsWhatThePackageSaysOfOne) {
                     "tip_displacement: uncertainty 4.2e-08 to 4.2e-08 m, tolerance 0.01 (scale)"));
 }
 
-TEST_F(ReferenceCommand, ExportsTheFileByteForByteOrNotAtAll) {
+TEST_F(ReferenceCommand, ExportsWholeFilesAlone) {
   const std::string original = contents(fixture + "/damped/history.csv");
   EXPECT_EQ(run(in_fixture("reference export damped-history")).output, original);
   EXPECT_EQ(run(in_fixture("reference export damped-history") + "--output mine.csv").status, 0);
@@ -67,7 +67,7 @@ TEST_F(ReferenceCommand, ExportsTheFileByteForByteOrNotAtAll) {
   EXPECT_FALSE(std::filesystem::exists("other.csv"));
 }
 
-TEST_F(ReferenceCommand, RefusesAPackageThatHasBeenAltered) {
+TEST_F(ReferenceCommand, RefusesAnAlteredPackage) {
   std::filesystem::copy(fixture, "package", std::filesystem::copy_options::recursive);
   std::ofstream("package/beams.csv", std::ios::app) << "strip,1,20\n";
   expect_refused("reference export beams --package package", "beams.csv: its size is");
@@ -104,7 +104,7 @@ class CompareCommand : public Drawing {
 
 // sigma_E/(2 E) = 1 % of a frequency, and the length and the load add a little.
 STICKSLIP_VERIFIES(MeasurementOfACase, "K3");
-TEST_F(MeasurementOfACase, HasTheFormOfTheComparisonsOfOthers) {
+TEST_F(MeasurementOfACase, HasTheFormOfOthers) {
   const auto compared = [&](const std::string& row, int status) {
     std::ofstream("measured.csv") << "quantity,at,value,half_width\n" << row << "\n";
     const Outcome outcome = run("compare measured.csv --case uncertain --samples 400 --json -");
@@ -129,7 +129,7 @@ TEST_F(MeasurementOfACase, HasTheFormOfTheComparisonsOfOthers) {
                      reference(0.02, "400 samples; 0.083 by mu_s")));
 }
 
-TEST_F(MeasurementOfACase, IsRefusedWithThePlaceThatIsWrong) {
+TEST_F(MeasurementOfACase, IsRefusedAtItsPlace) {
   const std::string head = "quantity,at,value,half_width\n";
   for (const auto& [text, part] : std::vector<std::pair<std::string, std::string>>{
            {"quantity,at,value\n", "the columns must be quantity, at, value and half_width"},
@@ -149,7 +149,7 @@ TEST_F(MeasurementOfACase, IsRefusedWithThePlaceThatIsWrong) {
 }
 
 STICKSLIP_VERIFIES(CompareCommand, "U1");
-TEST_F(CompareCommand, ReadsTheHistoriesThatRespondWritesAtAnyStep) {
+TEST_F(CompareCommand, ReadsHistoriesOfRespond) {
   for (const char* step : {"7e-5", "3e-4"}) {
     ASSERT_EQ(run(fmt::format("respond damped --method event-driven --set numerics.modes=20 --duration 0.5 "
                               "--set numerics.time_step={} --output history.csv --events events.csv",
@@ -187,7 +187,7 @@ TEST_F(CompareCommand, JudgesEventsAtAnyTimeAndPlace) {
 }
 
 // The motion of a tip that sticks is proportional to the amplitude; the other method has another error, far below 1 %.
-TEST_F(CompareCommand, HoldsARunOfOnesOwnAgainstAnother) {
+TEST_F(CompareCommand, ComparesTwoRunsOfTheUser) {
   const std::string respond = "respond paper --hz 30 --duration 0.2 --amplitude ";
   ASSERT_EQ(run(respond + "1e-4 --output one.csv").status, 0);
   ASSERT_EQ(run(respond + "1e-4 --method closed-form --rate 3000 --output other.csv").status, 0);
@@ -201,7 +201,7 @@ TEST_F(CompareCommand, HoldsARunOfOnesOwnAgainstAnother) {
   expect_refused("compare none.csv other.csv", "none.csv");
 }
 
-TEST_F(CompareCommand, SaysWhatDiffersAndWhatItLooksLike) {
+TEST_F(CompareCommand, SaysWhatDiffers) {
   const std::string rows = "--rows 1:2 --tolerance 1e-9 ";
   EXPECT_EQ(run(command("stick-frequencies", right, rows)).status, 1);
   EXPECT_EQ(run(command("stick-frequencies", right, rows + "--tolerance frequency=1e-6")).status, 0);
@@ -229,7 +229,7 @@ TEST_F(CompareCommand, SaysWhatDiffersAndWhatItLooksLike) {
   EXPECT_EQ(comparison(command("stick-frequencies", right), 3)["diagnoses"].size(), 0u);
 }
 
-TEST_F(CompareCommand, NeverTakesAPartOfATableForTheWhole) {
+TEST_F(CompareCommand, TakesNoPartForTheWhole) {
   const Outcome part = run(command("stick-frequencies", right, "--junit a.xml"));
   EXPECT_EQ(part.status, 3);
   EXPECT_TRUE(holds(part.output,
@@ -278,7 +278,7 @@ TEST_F(CompareCommand, JudgesTheFilesOfAManifest) {
                  "a column of the manifest is beam, but must be one of data_set");
 }
 
-TEST_F(CompareCommand, GivesEachSequenceOfEventsAVerdict) {
+TEST_F(CompareCommand, JudgesEachSequence) {
   std::string text = contents(fixture + "/cubic/events.csv");
   text.replace(text.find("0.455"), 5, "0.456");
   const Outcome outcome = run(command("cubic-events", text, "--junit a.xml"));
@@ -397,7 +397,7 @@ TEST_F(CompareCommand, DrawsWhatItCompared) {
   EXPECT_EQ(rows.back(), std::vector<std::string>{"frequency / Hz"});
 }
 
-TEST_F(CompareCommand, RefusesWhatItCannotUseAndWritesNothing) {
+TEST_F(CompareCommand, RefusesAndWritesNothing) {
   for (const auto& [options, part] : std::vector<std::pair<std::string, std::string>>{
            {"--tolerance time=1", "the quantity of a tolerance is time, but must be one of"},
            {"--column f=g", "column f is unknown"},

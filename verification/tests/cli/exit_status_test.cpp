@@ -37,7 +37,7 @@ TEST(ExitStatus, IsOneForAMistakeOfTheProgram) {
   EXPECT_EQ(told_after(std::invalid_argument("index 7"), 1), sentence);
 }
 
-TEST(ExitStatus, IsOneForWhatARunOrTheMachineFailedIn) {
+TEST(ExitStatus, IsOneWhereARunFails) {
   EXPECT_EQ(told_after(std::runtime_error("no convergence"), 1), "stickslip: no convergence\n");
   EXPECT_EQ(told_after(std::bad_alloc(), 1), "stickslip: the memory does not suffice for this problem\n");
 }

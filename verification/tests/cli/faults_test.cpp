@@ -91,7 +91,7 @@ TEST_F(Fault, StandardOutputThatIsFullIsNamed) {
     expect_failure(run(arguments + " >/dev/full"), 2, "standard output", "cannot be written");
 }
 
-TEST_F(Fault, StandardErrorThatIsFullOrClosedChangesNothing) {
+TEST_F(Fault, OfStandardErrorChangesNothing) {
   std::ofstream("mine.csv") << "beam,mode,frequency\npaper,1,25\n";
   for (const std::string& arguments : std::vector<std::string>{
            "criterion nosuch", "--nosuch", "criterion --output out.csv", "compare stick-frequencies mine.csv",
@@ -107,7 +107,7 @@ TEST_F(Fault, StandardErrorThatIsFullOrClosedChangesNothing) {
 }
 
 // Each thread asks for 8 MB of addresses.
-TEST_F(Fault, ThreadsThatCannotBeStartedAreDoneWithout) {
+TEST_F(Fault, OfThreadsIsDoneWithout) {
 #ifdef __SANITIZE_ADDRESS__
   GTEST_SKIP() << "a sanitizer needs more addresses";
 #endif
@@ -126,7 +126,7 @@ TEST_F(Fault, StandardInputThatIsClosedIsNoFault) {
 }
 
 // As any other tool: the shell sees 141, a person nothing.
-TEST_F(Fault, PipeThatClosesEndsTheProgramWithoutAWord) {
+TEST_F(Fault, OfAClosedPipeIsSilent) {
   const Outcome outcome = shell("{ '" STICKSLIP_PROGRAM "' " + history + "; echo $? >status; } | head -n 1");
   EXPECT_EQ(contents("status"), "141\n");
   EXPECT_EQ(outcome.errors, "");

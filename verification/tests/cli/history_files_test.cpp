@@ -147,7 +147,7 @@ TEST_F(HistoryFiles, AreDrawnAsTheyAre) {
 }
 
 // By the smallest and largest values in each of a thousand columns.
-TEST_F(HistoryFiles, AreDrawnFromFewRowsThatReachAsFar) {
+TEST_F(HistoryFiles, AreDrawnFromFewRows) {
   install_gnuplot("cat \"${folder}history.csv\" > $output\n");
   const auto all = rows_of(short_steps + "--duration 0.08 --every 1 --figure drawn.svg");
   const auto drawn = rows_in("drawn.svg");
@@ -172,7 +172,7 @@ TEST_F(HistoryFiles, AreDrawnInASizeThatHoldsThem) {
 }
 
 // 3 w/(2 L) of a cantilever: 27/8 (w/L)^2 is above 5 % from 12.2 % of the length on.
-TEST_F(HistoryFiles, OfALargeDeflectionComeWithAWarning) {
+TEST_F(HistoryFiles, WarnOfALargeDeflection) {
   std::ofstream("reed.toml")
       << "[beam]\nlength = 0.06\nmaterial = \"steel\"\naxial_force = 10\n"
          "[section]\nshape = \"rectangle\"\nwidth = 8e-3\nheight = 5e-4\n"

@@ -125,7 +125,7 @@ TEST_F(MapShards, AreNotMadeAgainWhereTheyAreComplete) {
 }
 
 // As a shard, which is then made again, or as what is kept of one, which looks the same: its whole rows count.
-TEST_F(MapShards, AreMadeAgainWhereTheyAreDamagedOrTorn) {
+TEST_F(MapShards, AreMadeAgainIfDamaged) {
   const std::string part = closed_form + shard(1, 2), whole = made(part, "shard");
   const std::size_t header = whole.find('\n', whole.find('\n') + 1) + 1;
   std::vector<std::string> texts{whole + "x", whole.substr(0, header) + "x" + whole.substr(header),

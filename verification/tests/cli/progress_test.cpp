@@ -32,7 +32,7 @@ class ProgressOf : public ::testing::Test {
 };
 
 STICKSLIP_VERIFIES(ProgressOf, "U10");
-TEST_F(ProgressOf, ATerminalIsABarWithShareRateAndTimeLeft) {
+TEST_F(ProgressOf, ATerminalIsABar) {
   struct Work {
     std::size_t items;
     double before;  // the share that an earlier run has done
@@ -53,7 +53,7 @@ TEST_F(ProgressOf, ATerminalIsABarWithShareRateAndTimeLeft) {
   }
 }
 
-TEST_F(ProgressOf, ATerminalIsRedrawnAtMostTenTimesASecond) {
+TEST_F(ProgressOf, ATerminalIsRedrawnRarely) {
   Progress progress("stickslip map", surroundings(ProgressStyle::bar));
   for (int i = 0; i < 1000; ++i) {
     progress(i / 1000.0);
@@ -62,7 +62,7 @@ TEST_F(ProgressOf, ATerminalIsRedrawnAtMostTenTimesASecond) {
   EXPECT_EQ(written_.size(), 10u);
 }
 
-TEST_F(ProgressOf, ATerminalIsErasedInTheEndAndStaysSo) {
+TEST_F(ProgressOf, ATerminalIsErasedInTheEnd) {
   {
     Progress progress("stickslip map", surroundings(ProgressStyle::bar));
     progress(0.5);
@@ -138,7 +138,7 @@ TEST(InParallel, DoesAndSettlesEachIndexOnce) {
 }
 
 // Each of three indices waits until all three are at work.
-TEST(InParallel, WorksOnAsManyIndicesAtATimeAsThreads) {
+TEST(InParallel, UsesAllThreads) {
   std::atomic<int> at_work{0}, met{0};
   const auto work = [&](std::size_t) {
     ++at_work;
@@ -153,7 +153,7 @@ TEST(InParallel, WorksOnAsManyIndicesAtATimeAsThreads) {
 }
 
 // Each index would take a millisecond.
-TEST(InParallel, EndsWithTheFirstExceptionAndThrowsItOn) {
+TEST(InParallel, ThrowsTheFirstException) {
   std::atomic<int> done{0};
   const auto work = [&](std::size_t i) {
     if (i == 10) throw std::domain_error("ten");

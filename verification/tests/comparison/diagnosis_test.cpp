@@ -365,7 +365,7 @@ TEST(DiagnosisOfFile, TakesLateEventsInSequence) {
   EXPECT_TRUE(looks(events, "all events are 0.3 s late"));
 }
 
-TEST(DiagnosisOfNumbers, WholeTurnIsNoConventionOfAnAngle) {
+TEST(DiagnosisOfNumbers, TakesNoWholeTurn) {
   File phase("damped-steady-state", "force_phase");
   plus(-4.0 * quarter_turn)(phase.values());
   EXPECT_EQ(phase.compared().agreement, comparison::Agreement::agrees);
@@ -376,7 +376,7 @@ TEST(DiagnosisOfNumbers, WholeTurnIsNoConventionOfAnAngle) {
 }
 
 STICKSLIP_VERIFIES(DiagnosisOfNumbers, "X20");
-TEST(DiagnosisOfNumbers, IsTheFactorInEveryComparedColumnOfEveryDataSet) {
+TEST(DiagnosisOfNumbers, IsTheFactorOfEveryColumn) {
   int columns = 0;
   for (const data::Resource& resource : published_package().resources) {
     if (!resource.comparison) continue;
@@ -398,7 +398,7 @@ TEST(DiagnosisOfNumbers, IsTheFactorInEveryComparedColumnOfEveryDataSet) {
   EXPECT_GE(columns, 30);
 }
 
-TEST(DiagnosisOfNumbers, IsNoFactorWhereAllValuesAreSmall) {
+TEST(DiagnosisOfNumbers, IsNoFactorOfSmallValues) {
   File file("stick-frequencies", "frequency");
   for (std::size_t n = 0; n < file.values().size(); ++n)
     file.values()[n] *= 1e-3 * (1.0 + 0.1 * static_cast<double>(n % 3));
@@ -423,7 +423,7 @@ TEST(DiagnosisOfNumbers, FactorLeavesAHundredth) {
             "all values are those of the data set times 1.037");
 }
 
-TEST(DiagnosisOfNumbers, IsAMeshOfSoManyHermiteElements) {
+TEST(DiagnosisOfNumbers, IsAMeshOfHermiteElements) {
   // The leading error of 40 elements; the next term is below a twentieth of it up to mode 5.
   File file("stick-frequencies", "frequency");
   file.keep_first(5);
@@ -441,7 +441,7 @@ TEST(DiagnosisOfNumbers, IsAMeshOfSoManyHermiteElements) {
   EXPECT_TRUE(looks(slip, "a mesh of 4 cubic Hermite elements"));
 }
 
-TEST(DiagnosisOfNumbers, GrowingErrorNeedsThreeModes) {
+TEST(DiagnosisOfNumbers, OfAGrowthNeedsThreeModes) {
   const auto of = [](const Values& hz, const Values& errors, const std::string& unit = "Hz") {
     auto values = frequencies(hz, hz);
     for (std::size_t i = 0; i < hz.size(); ++i) values.theirs[i] *= 1.0 + errors[i];
@@ -472,7 +472,7 @@ TEST(DiagnosisOfNumbers, GrowingErrorNeedsThreeModes) {
   EXPECT_EQ(of({10, 20, 30}, {0.001, 0.002, 0.003}, "N"), "");
 }
 
-TEST(DiagnosisOfNumbers, NumberOfElementsFollowsFromAGrowingError) {
+TEST(DiagnosisOfNumbers, IsAMeshIfTheErrorGrows) {
   const data::Beam beam = data::load_case("paper").beam;
   const auto modes = analytic::stick_modes(beam, 6);
   // A relative error k (beta L/N)^power of each frequency; the mean of the wave numbers is beta to P/(4 EI beta^2).
@@ -496,7 +496,7 @@ TEST(DiagnosisOfNumbers, NumberOfElementsFollowsFromAGrowingError) {
   EXPECT_TRUE(holds(of(-1.0 / 1440.0, 4, 24), "without rotary inertia on about 24 cubic elements"));
 }
 
-TEST(DiagnosisOfNumbers, HasTheNumberOfElementsOfAMeshWithLumpedMasses) {
+TEST(DiagnosisOfNumbers, IsAMeshOfLumpedMasses) {
   // In mode 6 the integral of U'^2 is 0.95 beta^2 that of U^2, so that the error is that of 33/sqrt(0.95) elements.
   File file("stick-frequencies", "frequency");
   file.keep_first(6);
@@ -507,7 +507,7 @@ TEST(DiagnosisOfNumbers, HasTheNumberOfElementsOfAMeshWithLumpedMasses) {
   EXPECT_TRUE(looks(file, "lumped masses on about 34 cubic elements"));
 }
 
-TEST(DiagnosisOfNumbers, IsAModeToOnePerCentAndOneTwiceToOnePerMille) {
+TEST(DiagnosisOfNumbers, IsAModeToOnePerCent) {
   const data::Beam beam = data::load_case("paper").beam;  // the second axial frequency is 530.33 Hz
   const Values hz{30, 80, 170, 300, 450, 600, 800, 1000, 1250, 1500};
   for (const auto& [theirs, none] : std::vector<std::pair<Values, std::string>>{
@@ -533,7 +533,7 @@ TEST(DiagnosisOfNumbers, IsAModeToOnePerCentAndOneTwiceToOnePerMille) {
       "mode 3 (190 Hz) of the file is none of this data set; mode 3 of the data set is missing in the file");
 }
 
-TEST(DiagnosisOfNumbers, IsAShiftByUpToFiveOfSixRowsOrMoreThatLeavesThree) {
+TEST(DiagnosisOfNumbers, IsAShiftThatLeavesThree) {
   const Values digits{3, 1, 4, 1, 5, 9, 2, 6};
   for (const int rows : {5, 6, 7, 8})
     for (int k = -5; k <= 5; ++k) {
@@ -553,7 +553,7 @@ TEST(DiagnosisOfNumbers, IsAShiftByUpToFiveOfSixRowsOrMoreThatLeavesThree) {
                   .ends_with("1 row further down"));
 }
 
-TEST(DiagnosisOfNumbers, EqualValuesHaveNoHypothesis) {
+TEST(DiagnosisOfNumbers, OfEqualValuesIsNothing) {
   for (const Values& reference : {Values{3, 1, 4, 1, 5, 9, 2, 6}, Values(8, 2.0)})
     for (const std::size_t end : {0u, 7u}) {
       Values theirs = reference;
@@ -563,13 +563,13 @@ TEST(DiagnosisOfNumbers, EqualValuesHaveNoHypothesis) {
     }
 }
 
-TEST(DiagnosisOfNumbers, IsNoFactorThatIsOneToFiveDigits) {
+TEST(DiagnosisOfNumbers, IsNoFactorOfNearlyOne) {
   Values theirs{3, 1, 4, 1, 5, 9};
   times(1.0 + 1e-7)(theirs);
   EXPECT_EQ(said(comparison::pattern_of(over_time({3, 1, 4, 1, 5, 9}, theirs))), "");
 }
 
-TEST(DiagnosisOfNumbers, IsAShiftOfTheCurveBetweenRowsOrOfEvents) {
+TEST(DiagnosisOfNumbers, IsAShiftOfCurveOrEvents) {
   // A parabola through three samples is exact; the values at the ends do not count.
   for (const double shift : {0.3, -0.3, -1.5}) {
     auto values = over_time({3, 6, 11, 18, 27, 38, 51, 66}, Values(8, 7.5));
@@ -598,7 +598,7 @@ TEST(DiagnosisOfNumbers, IsAnotherColumn) {
   EXPECT_EQ(diagnoses[1].sentence, "the values are those of midspan_displacement");
 }
 
-TEST(DiagnosisOfNumbers, IsNoFactorOfTwoValuesAndNoOtherColumnThatIsSmall) {
+TEST(DiagnosisOfNumbers, IsNoFactorOfTwoValues) {
   EXPECT_EQ(said(comparison::pattern_of(over_time({0.0, 2.0}, {0.0, 2.1}))), "");
   auto mine = published_copy("stick-history");
   for (double& force : mine["friction_force"]) force = 1e-9;
@@ -606,7 +606,7 @@ TEST(DiagnosisOfNumbers, IsNoFactorOfTwoValuesAndNoOtherColumnThatIsSmall) {
             "all values are nearly 0: at most 2.5e-11 of the largest of the data set");
 }
 
-TEST(DiagnosisOfNumbers, IsZeroWhereAllValuesAreNearlyZero) {
+TEST(DiagnosisOfNumbers, IsZeroIfNearlyZero) {
   File force("stick-history", "friction_force");
   const Values right = force.values();
   const double largest = std::abs(std::ranges::max(right, {}, [](double f) { return std::abs(f); }));
@@ -617,7 +617,7 @@ TEST(DiagnosisOfNumbers, IsZeroWhereAllValuesAreNearlyZero) {
   }
 }
 
-TEST(DiagnosisOfNumbers, IsSingleValuesWhereAllOthersAgree) {
+TEST(DiagnosisOfNumbers, IsSingleValues) {
   const auto with_wrong = [](std::initializer_list<std::size_t> rows, double size) {
     File file("damped-stick-history", "midspan_displacement");
     for (const std::size_t row : rows) file.values()[row] += size;
@@ -681,7 +681,7 @@ TEST(DiagnosisOfNumbers, IsTheNodeBesideTheMiddle) {
   }
 }
 
-TEST(DiagnosisOfNumbers, IsNothingForRoundOffAndForUnknownErrors) {
+TEST(DiagnosisOfNumbers, OfUnknownErrorsIsNothing) {
   std::mt19937 generator(1);
   std::uniform_real_distribution<double> error(-1.0, 1.0);
   int named = 0, files = 0;
@@ -707,7 +707,7 @@ TEST(DiagnosisOfNumbers, IsNothingForRoundOffAndForUnknownErrors) {
   EXPECT_LE(named, files / 100);
 }
 
-TEST(DiagnosisOfNumbers, TakesTheMoreAgreementTheFewerTheNumbers) {
+TEST(DiagnosisOfNumbers, AsksMoreOfFewNumbers) {
   EXPECT_TRUE(within(comparison::required_ratio(1, 0, 30), 30.0 / (0.01 * std::numbers::ln10),
                      round_off(4, 1, 1303)));
   EXPECT_TRUE(within(comparison::required_ratio(3, 1, 30), std::sqrt(30.0 / 0.01), round_off(4, 1, 55)));
@@ -733,13 +733,13 @@ File largest_forces(const data::Case& problem, int modes, analytic::SteadyPart s
 }
 
 STICKSLIP_VERIFIES(DiagnosisOfModels, "X20");
-TEST(DiagnosisOfModels, IsAllModesWhereTheDataSetHasTen) {
+TEST(DiagnosisOfModels, IsAllModesForTen) {
   const File file = largest_forces(data::load_case("paper"), 40, analytic::SteadyPart::exact);
   EXPECT_EQ(file.told(), "like all modes: the data set has 10, and friction-maxima-all-modes has all\n");
 }
 
 // E I and rho A of the largest forces; a beam with either factor of them is the same.
-TEST(DiagnosisOfModels, IsTheNumberThatIsWrongInTheLargestForces) {
+TEST(DiagnosisOfModels, IsTheWrongNumberOfForces) {
   for (const auto& [key, told] :
        {std::pair{"beam.youngs_modulus",
                   "beam.youngs_modulus = 2.14e+09 instead of 2e+09, or beam.second_moment_of_area"},
@@ -751,7 +751,7 @@ TEST(DiagnosisOfModels, IsTheNumberThatIsWrongInTheLargestForces) {
 }
 
 // Every 3 ms, where straight lines leave 3 %.
-TEST(DiagnosisOfModels, WrongNumberIsFoundBetweenTheTimes) {
+TEST(DiagnosisOfModels, FindsNumbersBetweenTheTimes) {
   const data::Case held = data::with_value(data::load_case("paper-figure9"), "beam.youngs_modulus", 2.06e9);
   const analytic::StickResponse response(held.beam, held.excitation, 60, analytic::SteadyPart::exact);
   File file("stick-history", "midspan_displacement");
@@ -761,7 +761,7 @@ TEST(DiagnosisOfModels, WrongNumberIsFoundBetweenTheTimes) {
   EXPECT_TRUE(looks(file, "beam.youngs_modulus = 2.06e+09 instead of 2e+09"));
 }
 
-TEST(DiagnosisOfModels, IsTheMistakeInEachRowThatIsACase) {
+TEST(DiagnosisOfModels, OfRowsThatAreCases) {
   const data::Case problem = data::load_case("paper-figure14");
   File file("length-force", "force_ratio");
   file.keep([](std::size_t row) { return row % 15 == 0; });
@@ -776,7 +776,7 @@ TEST(DiagnosisOfModels, IsTheMistakeInEachRowThatIsACase) {
   EXPECT_TRUE(looks(file, "like 'base-load-left-out'"));
 }
 
-TEST(DiagnosisOfModels, TakesTheEventsOfTheDataSetAsTheTruth) {
+TEST(DiagnosisOfModels, TakesTheEventsOfTheDataSet) {
   // The run for the diagnosis has 45 events, the data set 47. Late events of no known mistake:
   File file("stick-slip-events", "time");
   for (std::size_t i = 0; i < file.values().size(); ++i) file.values()[i] += i % 2 == 0 ? 2e-4 : 5e-4;
@@ -808,14 +808,14 @@ File mistaken(const char* set, data::Case problem, const char* mistake, int peri
   return file;
 }
 
-TEST(DiagnosisOfModels, IsTheMistakeInADampedHistory) {
+TEST(DiagnosisOfModels, OfADampedHistory) {
   for (const char* mistake : {"cosine-for-sine", "spectral-radius-zero", "start-from-rest"})
     EXPECT_TRUE(looks(mistaken("stick-slip-history", with_the_settings_of_the_paper("damped"), mistake, 5),
                       fmt::format("like '{}'", mistake)));
 }
 
 // A history by the event-driven modes, of which the diagnosis knows nothing, with one number of the problem multiplied.
-TEST(DiagnosisOfModels, IsTheNumberThatIsWrongInAHistory) {
+TEST(DiagnosisOfModels, IsTheWrongNumberOfAHistory) {
   for (const auto& [key, factor] : {std::pair{"friction.static_coefficient", 0.9},
                                     {"friction.static_coefficient", 1.3},
                                     {"friction.kinetic_coefficient", 0.7},
@@ -841,7 +841,7 @@ TEST(DiagnosisOfModels, IsTheNumberThatIsWrongInAHistory) {
 }
 
 // Between the times of the data set, too.
-TEST(DiagnosisOfModels, IsTheWidthOfASmoothLawOfFriction) {
+TEST(DiagnosisOfModels, IsTheWidthOfASmoothLaw) {
   const data::Case problem = with_value(with_the_settings_of_the_paper("damped"), "numerics.elements", 24);
   File file("stick-slip-history", "tip_displacement");
   file.keep([&](std::size_t row) { return file["time"][row] <= 0.2; });
@@ -854,7 +854,7 @@ TEST(DiagnosisOfModels, IsTheWidthOfASmoothLawOfFriction) {
   EXPECT_TRUE(looks(file, "like a law of friction that is smoothed over 2"));
 }
 
-TEST(DiagnosisOfModels, IsTheMistakeInTheMiddleOfAField) {
+TEST(DiagnosisOfModels, OfTheMiddleOfAField) {
   File file("stick-fields", "velocity");
   file.keep([&](std::size_t row) { return file["x"][row] == 1.0; });
   const data::Case problem = data::load_case("paper-figure9");
@@ -871,7 +871,7 @@ TEST(DiagnosisOfModels, IsTheMistakeInTheMiddleOfAField) {
 }
 
 // By the closed form, while the diagnosis has a mesh.
-TEST(DiagnosisOfModels, IsTheMistakeInASteadyVibration) {
+TEST(DiagnosisOfModels, OfASteadyVibration) {
   const data::Case problem = data::load_case("paper");
   const double first = studies::stick_hz(problem.beam, 1);
   const auto amplitudes = [&](double eta, double power) {
@@ -899,7 +899,7 @@ TEST(DiagnosisOfModels, IsTheMistakeInASteadyVibration) {
   EXPECT_TRUE(looks(relative, "like 'relative-displacement'"));
 }
 
-TEST(DiagnosisOfModels, IsAnotherPartOfTimoshenkosTheory) {
+TEST(DiagnosisOfModels, IsAPartOfTimoshenkosTheory) {
   const data::BeamProperties paper = studies::with_shear(data::load_case("paper").beam).properties();
   const auto frequencies = [&](const char* set, data::BeamProperties properties, double stiffness,
                                double rotary) {
@@ -918,7 +918,7 @@ TEST(DiagnosisOfModels, IsAnotherPartOfTimoshenkosTheory) {
   EXPECT_TRUE(looks(frequencies("stick-frequencies", paper, 1e6, 1.0), "Rayleigh"));
 }
 
-TEST(DiagnosisOfModels, IsTheMistakeInAnUndampedHistory) {
+TEST(DiagnosisOfModels, OfAnUndampedHistory) {
   const data::Case paper = undamped_case("paper", 25.0, 1e-3),
                    strip = undamped_case("steel-strip", 60.0, 6e-3);
   for (const char* mistake :
@@ -931,7 +931,7 @@ TEST(DiagnosisOfModels, IsTheMistakeInAnUndampedHistory) {
                       fmt::format("like '{}'", mistake)));
 }
 
-TEST(DiagnosisOfModels, IsNoOtherDataSetThatSharesFewRowsOnly) {
+TEST(DiagnosisOfModels, IsNoDataSetOfFewSharedRows) {
   // At rest for three periods, as undamped-history-25 is at the few times that both have.
   File file("undamped-history-soft-short", "tip_displacement");
   file.keep([&](std::size_t row) { return file["time"][row] <= 7.5e-3; });
@@ -939,7 +939,7 @@ TEST(DiagnosisOfModels, IsNoOtherDataSetThatSharesFewRowsOnly) {
   EXPECT_FALSE(holds(file.told(), "undamped-history-25"));
 }
 
-TEST(DiagnosisOfModels, IsNoOtherDataSetWhereAllSharedRowsAgree) {
+TEST(DiagnosisOfModels, IsNoDataSetOfAgreeingRows) {
   // Three of four rows, all at rest, are in undamped-history-steel-strip too. The fourth is wrong.
   File file("undamped-history-soft-short", "tip_displacement");
   file.keep([](std::size_t row) { return row == 0 || row == 20 || row == 40 || row == 45; });
@@ -948,7 +948,7 @@ TEST(DiagnosisOfModels, IsNoOtherDataSetWhereAllSharedRowsAgree) {
   EXPECT_FALSE(holds(file.told(), "the values are those of")) << file.told();
 }
 
-TEST(DiagnosisOfModels, CancelsTheErrorThatBothResultsHave) {
+TEST(DiagnosisOfModels, CancelsACommonError) {
   comparison::ModelResults results{.norm = data::Norm::relative,
                                    .reference = {1.01, 2.02},
                                    .reference_uncertainty = 0.0,

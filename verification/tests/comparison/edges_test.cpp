@@ -40,7 +40,7 @@ TEST(ComparedRows, OfACurveMayStandInAnyOrder) {
   EXPECT_EQ(y.error, 0.0);
 }
 
-TEST(ComparedRows, OfWhichNoneIsComparedAreUndecided) {
+TEST(ComparedRows, AreUndecidedIfNoneIsCompared) {
   // Up to 10 ms there is no event to compare, which is no agreement of the sequences.
   const auto mine = own_copy("damped-history");
   auto settings = with_events(own_copy("damped-events"));

@@ -243,7 +243,7 @@ data::Case with_damping(data::Case problem, const data::DampingProperties& dampi
 }
 
 STICKSLIP_VERIFIES(WrongModelEffects, "X17");
-TEST(WrongModelEffects, AreThoseOfHeldAndSlidingBeam) {
+TEST(WrongModelEffects, AreOfHeldAndSlidingBeam) {
   const data::Case problem = with_damping(paper_case(10.0), {.kelvin_voigt = 6e-5}),
                    stiffer = with_value(problem, "beam.youngs_modulus", 4e9);
   const auto effects = comparison::wrong_model_effects(problem, 0.1, 0.07);
@@ -570,7 +570,7 @@ TEST(WrongModel, OfAMassOnABeltRunsByEitherMethod) {
   }
 }
 
-TEST(WrongModel, SteadyStateOnlyIsTheSteadyAmplitude) {
+TEST(WrongModel, OfTheSteadyStateIsItsAmplitude) {
   const data::Case problem = with_numerics(with(paper_case(0.025), shaking(35.0)), 20, 1e-3);
   const double amplitude =
       std::abs(analytic::StickResponse(problem.beam, problem.excitation, 60).steady_force_amplitude());
@@ -835,7 +835,7 @@ TEST(ReferenceResultsOf, AreUncertainByACoarserRun) {
 
 // The middle of the beam, where no node is, too: on 15 elements as on 16, up to the error of both; and both
 // implementations.
-TEST(ReferenceResultsOf, AreThoseOfMeshAndClosedForm) {
+TEST(ReferenceResultsOf, MeshAndClosedFormAgree) {
   const data::Case steady = case_for("damped", steady_amplitude);
   const auto on = [&](int elements) {
     return comparison::reference_result(with_numerics(steady, elements, 1e-4), steady_amplitude, {35.0})[0];

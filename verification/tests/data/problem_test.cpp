@@ -238,7 +238,7 @@ TEST(InputLimits, IsShownByCharacters) {
   }
 }
 
-TEST(InputLimits, IsCutOffInMessagesWhereItIsTooLong) {
+TEST(InputLimits, CutOffLongTextsInMessages) {
   EXPECT_EQ(data::printable("abcdef", 6), "abcdef");
   EXPECT_EQ(data::printable("abcdefg", 6), "abcdef...");
   EXPECT_EQ(data::printable("abcde\u00e9", 7), "abcde\u00e9");

@@ -229,7 +229,7 @@ TEST_F(UserTable, IsRefusedAtItsPlace) {
   }
 }
 
-TEST_F(UserTable, IsAsLargeAsIsAllowedOnceDecompressed) {
+TEST_F(UserTable, MayBeLargeOnceDecompressed) {
   const std::string million = gzip(std::string(1'000'000, ' '));
   std::string packed;
   for (std::size_t size = 0; size < data::limit::table_bytes.most; size += 1'000'000) packed += million;

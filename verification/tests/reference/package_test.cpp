@@ -358,7 +358,7 @@ TEST(PublishedFields, SteadyAreThoseOfAMesh) {
 }
 
 STICKSLIP_VERIFIES(PublishedFrequencies, "P6");
-TEST(PublishedFrequencies, AreThoseInDoublePrecision) {
+TEST(PublishedFrequencies, AreThoseInDoubles) {
   for (const auto& [set, tip] : {std::pair{"timoshenko-stick-frequencies", analytic::TipSupport::held},
                                  {"timoshenko-slip-frequencies", analytic::TipSupport::free}}) {
     const auto table = published(set);

@@ -105,7 +105,7 @@ TEST_F(DrawnFigures, AppearInAllFormatsOrInNone) {
   for (const char* name : {"fig1.png", "fig1.pdf"}) EXPECT_EQ(data::read_text(output_ / name), "old");
 }
 
-TEST_F(DrawnFigures, ComeFromTheirScriptsAndCsvFilesAlone) {
+TEST_F(DrawnFigures, ComeFromScriptsAndTables) {
   const fs::path tables = folder_ / "tables", drawing = tables / "fig1.png";
   fs::create_directory(tables);
   for (const auto& file : fs::directory_iterator(output_))
@@ -118,7 +118,7 @@ TEST_F(DrawnFigures, ComeFromTheirScriptsAndCsvFilesAlone) {
 }
 
 STICKSLIP_VERIFIES(ReportFigures, "U3");
-TEST(ReportFigures, HaveDifferentNamesAndAScriptEach) {
+TEST(ReportFigures, HaveAScriptEach) {
   std::set<std::string> names;
   for (const std::string& name : report::figure_names()) {
     EXPECT_TRUE(names.insert(name).second) << name;
@@ -163,7 +163,7 @@ class Typesetting : public testing::Drawing {
 };
 
 STICKSLIP_VERIFIES(Typesetting, "U12");
-TEST_F(Typesetting, SaysThatLatexIsMissingAndWhereTheFiguresAre) {
+TEST_F(Typesetting, SaysThatLatexIsMissing) {
   ::setenv("PATH", path("tools").c_str(), 1);
   EXPECT_EQ(
       complaint(),

@@ -92,14 +92,14 @@ TEST_F(ReportTemplates, NameAValueThatIsMissing) {
   EXPECT_TRUE(testing::holds(error_of("<< nowhere.value >>"), "'nowhere' is undefined"));
 }
 
-TEST_F(ReportTemplates, RefuseNumbersWithoutDigitsOrInfinite) {
+TEST_F(ReportTemplates, RefuseInfiniteNumbers) {
   data::write_text(values() / "results.json", R"({"value": 0.25, "infinite": "inf"})");
   EXPECT_TRUE(
       testing::holds(error_of("\n\n<< results.value >>"), "a.tex, line 3: the number 0.25 has no filter"));
   EXPECT_TRUE(testing::holds(error_of("<< results.infinite | sig(2) >>"), "inf cannot stand in the report"));
 }
 
-TEST_F(ReportTemplates, AreNotBlamedForWhatThePagesOfEvidenceLack) {
+TEST_F(ReportTemplates, AreNotBlamedForOtherPages) {
   data::write_text(templates_ / "site" / "site.py", "raise SystemExit('a value is missing')\n");
   report::OutputFolder output(folder_ / "output");
   testing::expect_error_message<std::runtime_error>(
@@ -107,7 +107,7 @@ TEST_F(ReportTemplates, AreNotBlamedForWhatThePagesOfEvidenceLack) {
       {"the pages of evidence cannot be made: a value is missing"});
 }
 
-TEST_F(ReportTemplates, FormatAsTheExamplesOfTheRendererSay) {
+TEST_F(ReportTemplates, FormatAsTheExamplesSay) {
   ::unsetenv("STICKSLIP_REPORTS");
   for (const fs::path script : {"report/render.py", "site/site.py"}) {
     const std::string command =  // by path: `-m doctest site.py` would take the module site of Python
@@ -165,7 +165,7 @@ class TestResults : public ReportTemplates {
 };
 
 STICKSLIP_VERIFIES(TestResults, "U6");
-TEST_F(TestResults, HoldRequirementComparisonsAndClaim) {
+TEST_F(TestResults, HoldRequirementAndClaim) {
   std::string properties;
   for (const auto& [name, value] : std::vector<std::pair<const char*, const char*>>{
            {"requirement", "V1"},
@@ -198,7 +198,7 @@ TEST_F(TestResults, HoldRequirementComparisonsAndClaim) {
     EXPECT_EQ(tests[0].flatten().value(place, json()), value) << place;
 }
 
-TEST_F(TestResults, TellWhatFailedInTheOrderOfTheRequirements) {
+TEST_F(TestResults, TellWhatFailedInOrder) {
   write("unit.B.xml", "B", "Fails",
         "<properties>" + property("requirement_position", "10") + "</properties><failure message=\"no\"/>");
   write("unit.C.xml", "C", "Holds", "<properties>" + property("requirement_position", "9") + "</properties>");
@@ -209,7 +209,7 @@ TEST_F(TestResults, TellWhatFailedInTheOrderOfTheRequirements) {
   EXPECT_EQ(tests[1]["passed"], false);
 }
 
-TEST_F(TestResults, TellWhatWasSkippedAndCountBadInput) {
+TEST_F(TestResults, TellWhatWasSkipped) {
   write("unit.A.xml", "A", "Waits", "<skipped message=\"no pseudo-terminal\"/>");
   write("unit.B.xml", "B", "Options",
         "<properties>" + property("bad_input.option.zero", "3; 1") +
@@ -231,7 +231,7 @@ TEST_F(TestResults, DoNotCountBeforeTheRunHasEnded) {
   EXPECT_EQ(read().size(), 1U);
 }
 
-TEST_F(TestResults, AreRefusedWhereThereAreNoneOrTheyCannotBeRead) {
+TEST_F(TestResults, AreRefusedIfUnreadable) {
   EXPECT_THROW((void)read(), data::InputError);
   EXPECT_THROW((void)report::read_test_results(folder_ / "nowhere"), data::InputError);
   data::write_text(xml_ / "unit.A.xml", "<testsuites><testsuite>");

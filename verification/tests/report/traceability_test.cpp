@@ -19,12 +19,12 @@ TEST(Traceability, RequirementsHaveDifferentIds) {
     EXPECT_TRUE(ids.insert(requirement.id).second) << requirement.id << " stands twice";
 }
 
-TEST(Traceability, InstantiatedSuiteServesItsRequirement) {
+TEST(Traceability, TakesInstantiatedSuites) {
   EXPECT_EQ(requirement_of("Trace"), "U6");
   EXPECT_EQ(requirement_of("Figures4And5/Trace"), "U6");
 }
 
-TEST(Traceability, TestWithoutAKnownRequirementFails) {
+TEST(Traceability, RefusesUnknownRequirements) {
   EXPECT_EQ(requirement_of("NoSuchSuite"), "");
   EXPECT_NONFATAL_FAILURE(record_requirement(""), "the suite states no requirement");
   EXPECT_NONFATAL_FAILURE(record_requirement("Z9"), "has no requirement Z9");
@@ -35,7 +35,7 @@ ComparedNumber compared(double computed, double error, double tolerance) {
 }
 
 STICKSLIP_VERIFIES(Trace, "U6");
-TEST(Trace, KeepsTheLargestMarginAndTheLedgerOfEachClass) {
+TEST(Trace, KeepsTheLargestOfEachClass) {
   Trace trace;
   trace.note(compared(1.0, 0.0, 0.5));
   trace.note(compared(2.5, 0.25, 0.5));

@@ -23,7 +23,7 @@ solver::ContactSystem beam_system(int elements, const data::Damping& damping = {
 const data::Damping light({.kelvin_voigt = 6.4e-5});
 
 STICKSLIP_VERIFIES(ContactMobility, "X12");
-TEST(ContactMobility, HasContactMassAtHighFrequencies) {
+TEST(ContactMobility, IsOfAMassAtHighFrequencies) {
   const solver::ContactSystem system = beam_system(4, light);
   const solver::ContactMobility mobility(system);
   EXPECT_TRUE(
@@ -41,7 +41,7 @@ TEST(ContactMobility, HasContactMassAtHighFrequencies) {
 STICKSLIP_VERIFIES(SteppedMobility, "X12");
 // The sliding velocities at the alpha level after a unit friction force in the first step alone. At |zeta| =
 // 1/2 what follows step 80 is below 2^-80.
-TEST(SteppedMobility, IsTheGeneratingFunctionOfAStepResponse) {
+TEST(SteppedMobility, IsAGeneratingFunction) {
   for (const double spectral_radius : {0.0, 0.5, 0.9, 1.0}) {
     SCOPED_TRACE(spectral_radius);
     for (const data::Damping& damping : {data::Damping(), light}) {

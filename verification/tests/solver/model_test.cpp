@@ -47,7 +47,7 @@ TEST(BeamModel, RefusesABeamWhoseStiffnessOverflows) {
 }
 
 STICKSLIP_VERIFIES(ModalAnalysis, "F2");
-TEST(ModalAnalysis, ModesAreOrthonormalAndSolveTheirPencil) {
+TEST(ModalAnalysis, SolvesItsPencil) {
   const solver::BeamModel model(paper_beam(), 10);
   const auto modes = solver::stick_modes(model, 6);
   ASSERT_EQ(modes.size(), 6u);
@@ -76,7 +76,7 @@ TEST(ModalAnalysis, ModesBeyondFlutterAreRefused) {
   EXPECT_THROW((void)solver::stick_modes(solver::BeamModel(paper_beam(), 2), 4), std::invalid_argument);
 }
 
-TEST(ModalAnalysis, ResolvedModesBendUpwardsAtTheClamp) {
+TEST(ModalAnalysis, HasModesThatBendUpwards) {
   // Curvature of the first element at x = 0: (6 w_1 - 2 l theta_1)/l^2. A mesh resolves as many modes as it
   // has elements.
   constexpr int elements = 10;
@@ -105,7 +105,7 @@ data::Case coarse_case(const data::HarmonicExcitation& excitation, double durati
 }
 
 STICKSLIP_VERIFIES(BeamSimulation, "F7");
-TEST(BeamSimulation, HandsItsNumericsToTheIntegrator) {
+TEST(BeamSimulation, HandsOnItsNumerics) {
   solver::BeamSimulation simulation(coarse_case(slipping_excitation));
   const solver::BeamModel model(paper_beam(), 8);
   const solver::PrescribedMotion base = solver::harmonic_motion(slipping_excitation);
@@ -125,7 +125,7 @@ TEST(BeamSimulation, HandsItsNumericsToTheIntegrator) {
   }));
 }
 
-TEST(BeamSimulation, DisplacementsAreThoseOfTheFixedFrame) {
+TEST(BeamSimulation, IsInTheFixedFrame) {
   solver::BeamSimulation simulation(coarse_case(slipping_excitation));
   for (int n = 0; n < 100; ++n) simulation.step();
   // 25 Hz at 10 ms: h = A0 sin(pi/2).
@@ -145,7 +145,7 @@ TEST(BeamSimulation, IsPressedByCompressionOnly) {
   }
 }
 
-TEST(BeamSimulation, StepCountIsTheNearestWholeNumber) {
+TEST(BeamSimulation, StepCountIsTheNearest) {
   EXPECT_EQ(solver::step_count(10.0, 1e-4), 100000);
   // 0.29/1e-4 is a rounding error under 2900, 0.1/3e-4 is 333.3 and 0.2/3e-4 is 666.7.
   ASSERT_LT(0.29 / 1e-4, 2900.0);
@@ -200,7 +200,7 @@ TEST(BeamSimulation, EveryRunTakesItsDamping) {
               solver::max_abs_friction_force(other));
 }
 
-TEST(BeamSimulation, FirstSlipIsFoundUpToTheLastStep) {
+TEST(BeamSimulation, FindsASlipInTheLastStep) {
   const auto slip_within = [](double duration) {
     return solver::first_slip(coarse_case(slipping_excitation, duration));
   };
@@ -252,7 +252,7 @@ ElementVector slopes(double s, double g) {
 }
 
 STICKSLIP_VERIFIES(BeamElement, "F1");
-TEST(BeamElement, HasTheIntegralsOfItsShapeFunctions) {
+TEST(BeamElement, HasTheIntegralsOfItsShapes) {
   for (const double g : {0.0, 0.01, 1.0, 30.0}) {
     SCOPED_TRACE(g);
     // N' - theta, constant over the element: in equilibrium -EI theta''/(k G A), with the third derivatives
@@ -299,7 +299,7 @@ TEST(ShearElement, WithoutShearIsHermitesToTheBit) {
 
 // A force F and a moment T at the free tip: w = F (x^2 (3 L - x)/(6 EI) + x/(k G A)) + T x^2/(2 EI), whatever the mesh, and
 // however slender or stout the beam: nothing locks.
-TEST(ShearElement, BendsAndShearsExactlyAtTheNodesOfAnyMesh) {
+TEST(ShearElement, IsExactAtTheNodes) {
   const double bending = 2e9 * 1e-4 / 12.0, shear = 0.01 * 2e9 / 3.12;
   for (const double end : {0.05, 0.5, 5.0, 500.0})
     for (const int elements : {1, 3}) {
@@ -324,7 +324,7 @@ TEST(ShearElement, BendsAndShearsExactlyAtTheNodesOfAnyMesh) {
 data::Damping of_critical(double ratio) { return data::Damping({.ratio = ratio}); }
 
 STICKSLIP_VERIFIES(DampingMatrix, "F9");
-TEST(DampingMatrix, ModalDampingIgnoresTheAxialForce) {
+TEST(DampingMatrix, OfARatioIgnoresTheAxialForce) {
   const Eigen::MatrixXd loaded =
       solver::damping_matrix(solver::BeamModel(paper_beam_with_axial_force(4e4), 5), of_critical(0.02));
   const Eigen::MatrixXd unloaded =
@@ -336,7 +336,7 @@ TEST(DampingMatrix, ModalDampingIgnoresTheAxialForce) {
 
 // Round-off: the matrix is accurate to eps omega_max for every mode. The modes, from an unsymmetric eigenproblem for
 // 1/omega^2, are accurate to eps omega_n^2/omega_1^2.
-TEST(DampingMatrix, ModalDampingHasTheRatioInEveryFreeTipMode) {
+TEST(DampingMatrix, HasTheRatioInEveryFreeMode) {
   constexpr double zeta = 0.02;
   const solver::BeamModel model(paper_beam_with_axial_force(0.0), 10);
   const Eigen::MatrixXd damping = solver::damping_matrix(model, of_critical(zeta));
@@ -351,7 +351,7 @@ TEST(DampingMatrix, ModalDampingHasTheRatioInEveryFreeTipMode) {
     }
 }
 
-TEST(DampingMatrix, OfARatioKeepsTheLowestModeOnAFineMesh) {
+TEST(DampingMatrix, OfARatioKeepsTheLowestMode) {
   // Round-off of singular values is relative to omega_max/omega_1 = 26 n^2, here 2.7e5; an eigenproblem of
   // squares would lose its square, 7e10. The frequency of the model itself is known to eps/l^4.
   constexpr double zeta = 0.05;
@@ -372,7 +372,7 @@ TEST(DampingMatrix, IsTheSumOfBothKindsOrEmpty) {
   EXPECT_EQ(solver::damping_matrix(model, {}).nonZeros(), 0);
 }
 
-TEST(DampingMatrix, OfARatioRefusesMoreThan500Elements) {
+TEST(DampingMatrix, OfARatioRefuses501Elements) {
   EXPECT_NO_THROW((void)solver::damping_matrix(solver::BeamModel(paper_beam(), 501), kelvin_voigt(1e-5)));
   EXPECT_EQ(
       error_message_of<std::invalid_argument>(

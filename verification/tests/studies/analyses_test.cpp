@@ -20,7 +20,7 @@ data::Case paper_at(const std::string& hz, const std::string& amplitude) {
 }
 
 STICKSLIP_VERIFIES(CriterionVerdict, "U1");
-TEST(CriterionVerdict, SlipIsAForceAboveTheLimitForCertain) {
+TEST(CriterionVerdict, SlipIsCertainlyAboveTheLimit) {
   EXPECT_EQ(analytic::verdict_of({2.0, 3.0}, 1.0), Verdict::stick_slip);
   EXPECT_EQ(analytic::verdict_of({0.5, 3.0}, 1.0), Verdict::undecided);  // the bounds hold the limit
   EXPECT_EQ(analytic::verdict_of({1.0, 1.0}, 1.0), Verdict::stick);  // the limit is reached and not passed
@@ -53,7 +53,7 @@ TEST(MeshFrequencies, ErrorIsThatOfTheEstimate) {
 }
 
 STICKSLIP_VERIFIES(CriterionAnswer, "U1");
-TEST(CriterionAnswer, VerdictsChangeAtTheCriticalAmplitudes) {
+TEST(CriterionAnswer, ChangesAtCriticalAmplitudes) {
   const auto answer = studies::criterion_answer(paper_at("35", "1e-3"));
   const auto at = [&](double amplitude) {
     return studies::criterion_answer(paper_at("35", data::shortest_text(amplitude)));
@@ -69,7 +69,7 @@ TEST(CriterionAnswer, VerdictsChangeAtTheCriticalAmplitudes) {
   EXPECT_EQ(at(below(answer.steady->critical_amplitude.lower)).steady->verdict, Verdict::stick);
 }
 
-TEST(CriterionAnswer, NearestFrequencyIsBelowOrAbove) {
+TEST(CriterionAnswer, NearestIsBelowOrAbove) {
   const auto modes = analytic::stick_modes(paper_at("35", "1e-3").beam, 2);  // 24.97 and 81.08 Hz
   for (const auto& [hz, mode] :
        {std::pair<double, int>{5.0, 1}, {27.0, 1}, {53.0, 1}, {53.1, 2}, {90.0, 2}}) {
@@ -81,7 +81,7 @@ TEST(CriterionAnswer, NearestFrequencyIsBelowOrAbove) {
 }
 
 // From a quarter of the frequency of the case to four times it and beyond the first natural frequency.
-TEST(CriterionAnswer, CurveHasTheCriterionAndTheResonances) {
+TEST(CriterionAnswer, CurveHasTheResonances) {
   on_random_cases(
       4, {.lowest_frequency = 0.05, .highest_frequency = 2.0, .kelvin_voigt = 0.3},
       [](const CaseText& text, RandomNumbers& numbers) {
@@ -114,7 +114,7 @@ TEST(CriterionAnswer, CurveHasTheCriterionAndTheResonances) {
       });
 }
 
-TEST(CriterionAnswer, OnlyANaturalFrequencyItselfHasNoSteadyForce) {
+TEST(CriterionAnswer, ResonanceHasNoSteadyForce) {
   const double natural = analytic::stick_modes(paper_at("25", "1e-3").beam, 1).front().frequency_hz();
   const auto steady_at = [](double hz) {
     return studies::criterion_answer(paper_at(data::shortest_text(hz), "1e-3")).steady;

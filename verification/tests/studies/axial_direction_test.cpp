@@ -29,7 +29,7 @@ namespace {
 STICKSLIP_VERIFIES(AxialDirection, "X23");
 // With a free tip the beam moves as with a held one and under the force that held it, and the heat is what the base and the
 // follower part of P put in.
-TEST(AxialDirection, FreeTipIsHeldOneLessItsReaction) {
+TEST(AxialDirection, FreeTipIsHeldLessReaction) {
   on_random_beams(30, any_force, [](const data::Beam& any, RandomNumbers& numbers) {
     const data::Beam beam = directed(any, random_direction(numbers), any.axial_force());
     const double unit = frequency_unit(beam), follower = (1.0 - beam.axial_direction()) * beam.axial_force();
@@ -69,7 +69,7 @@ TEST(AxialDirection, IsInReactionAtRestAndTable) {
 }
 
 STICKSLIP_VERIFIES(ModelForm, "X23");
-TEST(ModelForm, OfTheAxialForceBucklesTheFlatSection) {
+TEST(ModelForm, OfADeadLoadBuckles) {
   const data::Case flat = data::load_case("paper-figure14");
   const auto form =
       studies::model_form(data::load_case("paper"), data::load_case("paper-half-stiffness"), flat, 5);
@@ -131,7 +131,7 @@ data::Beam sheared_beam(double length, double axial_force, double axial_directio
 STICKSLIP_VERIFIES(ShearReaction, "X24");
 // Frequencies, shares, quasi-static part and buckling load with axial force of either sign and both directions. Of second
 // order in the element length: two meshes give the error of the finer, and what they leave is the fourth order.
-TEST(ShearReaction, OfMeshesConvergesToTheClosedForm) {
+TEST(ShearReaction, OfMeshesConverges) {
   const auto of_mesh = [](const data::Beam& beam, int elements) {
     const solver::BeamModel model(beam, elements);
     const Eigen::VectorXd shape = model.unit_tip_deflection(),

@@ -42,7 +42,7 @@ STICKSLIP_VERIFIES(ContactSpring, "X25");
 // theta = 1 - 2 mu N/(F + mu N), and the mass leaves with the velocity (F + mu N) sin(theta)/omega. Set-valued friction
 // turns at once. Behind the turn they differ by t [(F + mu N) sin(theta) - (F - mu N) theta]/omega: of the order 1/2 in
 // 1/k_t. The next term is smaller by some theta/(omega t).
-TEST(ContactSpring, TendsToTheSetValuedLawAtHalfOrder) {
+TEST(ContactSpring, TendsToTheSetValuedLaw) {
   constexpr double force = 3.0, start = 2.0, after = 1.0;
   const double turn = start / (force + 1.0), theta = std::acos(1.0 - 2.0 / (force + 1.0));
   const double leading = (force + 1.0) * std::sin(theta) - (force - 1.0) * theta;
@@ -108,7 +108,7 @@ TEST(SmoothLaw, HasOrderTwoInBothImplementations) {
 }
 
 // m v' = -mu N tanh(v/v_r): sinh(v/v_r) falls as exp(-mu N t/(m v_r)).
-TEST(SmoothLaw, BrakesAMassInBothDirectionsAtSecondOrder) {
+TEST(SmoothLaw, BrakesAMassAtSecondOrder) {
   for (const double start : {-0.5, -0.1, 0.1, 0.5}) {
     SCOPED_TRACE(start);
     const double exact =
@@ -123,7 +123,7 @@ TEST(SmoothLaw, BrakesAMassInBothDirectionsAtSecondOrder) {
 }
 
 // Below the limit it does not hold: v = v_r artanh(F/(mu N)).
-TEST(SmoothLaw, CreepsUnderAForceThatFrictionCouldHold) {
+TEST(SmoothLaw, CreepsUnderASmallForce) {
   constexpr double force = 0.5, width = 1e-3, h = 1e-3;
   const double creep = width * std::atanh(force);
   auto mass = pushed_mass(force, width, h);
@@ -164,7 +164,7 @@ class YieldingContact : public ::testing::TestWithParam<const char*> {
 // Both errors of finite elements by Richardson, time of order 2 and mesh of order 4; the boundary integral steps 16 times
 // as often and has no mesh.
 STICKSLIP_VERIFIES(YieldingContact, "X25");
-TEST_P(YieldingContact, MovesTheBeamAlikeInBothImplementations) {
+TEST_P(YieldingContact, MovesTheBeamAlike) {
   const data::Case problem = damped_case(contact(), 0.1);
   const double h = problem.numerics.time_step();
   const analytic::BeamBoundaryIntegral integral(problem, {h / 16.0, 16 * 5000});
@@ -189,7 +189,7 @@ TEST_P(YieldingContact, StepsAlikeInModalCoordinates) {
 
 STICKSLIP_VERIFIES(YieldingContactForce, "X25");
 // The force of a narrow law is that of its balance, and not the law at a rounded velocity.
-TEST(YieldingContactForce, ReportsTheForceOfANarrowLaw) {
+TEST(YieldingContactForce, HasTheForceOfANarrowLaw) {
   const data::Case problem = damped_case(smooth(1e-8), 0.05);  // before the first slip
   solver::BeamSimulation narrow(problem), held(with(problem, data::TangentialContact()));
   for (int n = 0; n < 2500; ++n) {
@@ -201,7 +201,7 @@ TEST(YieldingContactForce, ReportsTheForceOfANarrowLaw) {
   }
 }
 
-TEST(YieldingContactForce, RefusesASpringThatRoundingWouldLoad) {
+TEST(YieldingContactForce, RefusesALoadByRounding) {
   const data::Case problem = damped_case({}, 0.1);
   const auto run = [&problem](double contact_stiffness, const data::FrictionLaw& friction) {
     const solver::BeamSimulation simulation(with(problem, friction, spring(contact_stiffness)));
@@ -262,7 +262,7 @@ TEST(Regularisation, HasOrderOneInMotionAndForce) {
 // --- The criterion on a contact spring
 
 STICKSLIP_VERIFIES(CompliantReaction, "X25");
-TEST(CompliantReaction, IsThatOfFiniteElementsWhoseSliderRests) {
+TEST(CompliantReaction, IsThatOfFiniteElements) {
   const data::Case paper = data::load_case("damped");
   const data::FrictionLaw strong({.static_coefficient = 1e6, .kinetic_coefficient = 1e6});
   for (const double k : {6e4, 1e6}) {
@@ -287,7 +287,7 @@ TEST(CompliantReaction, IsThatOfFiniteElementsWhoseSliderRests) {
 
 // A start with the tip at rest strikes the spring: x_t(0) misses that of the static part by x_s Omega = s Omega/k_t, which the
 // mass m of a finite number of modes turns into a force s Omega (m/k_t)^1/2. The steady part is of first order.
-TEST(CompliantReaction, TendsToTheHeldTipAtFirstOrder) {
+TEST(CompliantReaction, TendsToTheHeldTip) {
   const data::Case paper = data::load_case("paper");
   const double omega = 2.0 * pi * 35.0;
   const double held =
@@ -311,7 +311,7 @@ TEST(CompliantReaction, TendsToTheHeldTipAtFirstOrder) {
 }
 
 // 83.9 kN: above the flutter load of the sliding beam, 83.5 kN, and below the buckling load of the held one, 84.1 kN.
-TEST(CompliantReaction, RefusesASpringTooSoftToKeepTheBeamFromFlutter) {
+TEST(CompliantReaction, RefusesASpringOfFlutter) {
   data::BeamProperties properties = data::load_case("paper").beam.properties();
   properties.axial_force = 83.9e3;
   const data::Beam beam(properties);
@@ -384,7 +384,7 @@ TEST(StribeckLaw, HoldsInAStepOfTheBoundaryIntegral) {
 }
 
 // m v_t = -N (mu_m + beta v): from v_0 to rest in m/(N beta) ln(1 + beta v_0/mu_m), all energy to friction.
-TEST(StribeckLaw, StopsASliderAtTheTimeOfTheClosedForm) {
+TEST(StribeckLaw, StopsASliderAtTheExactTime) {
   const SingleMass mass{.normal_force = 10.0,
                         .friction = {.static_coefficient = 0.3, .kinetic_coefficient = 0.3, .viscous = 0.2}};
   const double v0 = 1.5, stop = std::log(1.0 + 0.2 * v0 / 0.3) / (10.0 * 0.2);

@@ -74,7 +74,7 @@ std::vector<OrderLevel> cubic_levels(unsigned signs) {
 }
 
 STICKSLIP_VERIFIES(OrderBound, "X13");
-TEST(OrderBound, HoldsWhateverTheSignsOfTheNextTerms) {
+TEST(OrderBound, HoldsForAnyNextTerms) {
   // One of all 64 choices of sign reaches the bound but for ln(1 + c) < -ln(1 - c).
   double largest = 0.0;
   for (unsigned signs = 0; signs < 64; ++signs) {
@@ -171,7 +171,7 @@ TEST(OrderCriterion, AcceptsWhatItsLimitsAllow) {
 }
 
 STICKSLIP_VERIFIES(LargestDifference, "X13");
-TEST(LargestDifference, IsNotANumberIfADifferenceIsNot) {
+TEST(LargestDifference, IsNanIfADifferenceIs) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(studies::largest_or_nan({-3.0, -1.0, -2.0}), -1.0);
   EXPECT_EQ(studies::largest_difference({1.0, 2.0, 5.0}, {1.5, 2.0, 5.25}), 0.5);

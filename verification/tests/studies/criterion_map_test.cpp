@@ -30,7 +30,7 @@ data::Case case_of(const data::Case& problem, const studies::MapAxis& x, const s
 }
 
 STICKSLIP_VERIFIES(MapAxis, "X7");
-TEST(MapAxis, HasItsEndsAndEqualStepsOrRatiosBetween) {
+TEST(MapAxis, HasEqualStepsOrRatios) {
   const auto steps = map_axis("beam.length", 0.4, 2.0, 5, false).values;
   ASSERT_EQ(steps.size(), 5u);
   EXPECT_EQ(steps.front(), 0.4);
@@ -45,7 +45,7 @@ TEST(MapAxis, HasItsEndsAndEqualStepsOrRatiosBetween) {
   EXPECT_EQ(map_axis("beam.length", 7.0, 29.0, 3, true).values.back(), 29.0);  // 7 (29/7) is not
 }
 
-TEST(MapAxis, ChangesTheFieldOfItsParameterAndNoOther) {
+TEST(MapAxis, ChangesItsParameterAlone) {
   data::Case problem = flat_case();
   const auto before = data::numbers_of(problem);
   for (const auto& [path, value] : before) {
@@ -152,7 +152,7 @@ TEST(CriterionMap, HoldsTheCriterionOfEachCell) {
     seen.expect_map(sheared, axis_of(sheared, key), axis_of(sheared, "excitation.amplitude"));
 }
 
-TEST(CriterionMap, EstimateOfItsCostLeavesTheThreads) {
+TEST(CriterionMap, CostEstimateLeavesTheThreads) {
   const studies::MapTask task{.problem = with_values(flat_case_of(0.1), {{"numerics.elements", 4}}),
                               .x = map_axis("excitation.frequency_hz", 5.0, 50.0, 20, false),
                               .y = map_axis("excitation.amplitude", 0.0, 1e-3, 3, false),
@@ -174,7 +174,7 @@ TEST(CriterionMap, EstimateOfItsCostLeavesTheThreads) {
 
 // An undamped map steps in modal coordinates, which give the plain run's force to 1e-10; over 5000 steps in more than one batch of
 // their blocks.
-TEST(CriterionMap, ByFiniteElementsIsThatOfThePlainRun) {
+TEST(CriterionMap, ByElementsIsThatOfPlainRuns) {
   struct Run {
     double kelvin_voigt, duration;
     int elements;
@@ -201,7 +201,7 @@ TEST(CriterionMap, ByFiniteElementsIsThatOfThePlainRun) {
   }
 }
 
-TEST(CriterionMap, IsNotPutTogetherBeforeItIsComplete) {
+TEST(CriterionMap, IsNotMergedBeforeItIsComplete) {
   const studies::MapTask task{.problem = flat_case_of(0.1),
                               .x = map_axis("excitation.frequency_hz", 5.0, 50.0, 4, false),
                               .y = map_axis("excitation.amplitude", 0.0, 1e-3, 3, false)};
@@ -224,7 +224,7 @@ TEST(CriterionMap, IsNotPutTogetherBeforeItIsComplete) {
 }
 
 STICKSLIP_VERIFIES(MapShare, "X7");
-TEST(MapShare, DealsEachEvaluationOnceAndAsManyToEachPart) {
+TEST(MapShare, DealsEachEvaluationOnce) {
   for (const std::size_t evaluations : {0u, 1u, 7u, 100u, 2500u})
     for (const std::size_t parts : {1u, 2u, 3u, 7u, 100u}) {
       std::vector<int> dealt(evaluations);
@@ -274,7 +274,7 @@ TEST(CriterionMap, RefusesWhatHasNoCriterion) {
 }
 
 STICKSLIP_VERIFIES(ResonanceLength, "X7");
-TEST(ResonanceLength, HasANaturalFrequencyAtTheExcitation) {
+TEST(ResonanceLength, IsInResonance) {
   for (const int mode : {1, 2})
     for (const double force : {0.0, 5.0, 500.0, 1500.0}) {
       const auto length = studies::resonance_length(flat_beam(1.0, force), mode, 25.0);
@@ -288,7 +288,7 @@ TEST(ResonanceLength, HasANaturalFrequencyAtTheExcitation) {
     }
 }
 
-TEST(ResonanceLength, IsNoneWhereTheBeamBucklesBefore) {
+TEST(ResonanceLength, IsNoneIfTheBeamBuckles) {
   // Mode 2 meets 25 Hz at about 1.5 m, where the section buckles at 20.19 EI/L^2 = 2.4 kN; mode 1 vibrates at
   // any frequency before it buckles.
   EXPECT_FALSE(studies::resonance_length(flat_beam(1.0, 4000.0), 2, 25.0));
@@ -339,7 +339,7 @@ TEST(LengthForceMap, HoldsTheCriterionOfEachPoint) {
       within(analytic::stick_buckling_load(flat_beam(buckling, 0.0)), 4000.0, round_off(10, 2, 4000.0)));
 }
 
-TEST(LengthForceMap, StatesSectionBucklingAndResonancesOfTheCase) {
+TEST(LengthForceMap, StatesTheCaseAndItsLimits) {
   const data::Case problem = flat_case();
   const auto map = studies::length_force_map(problem, 0.4, 0.5, {50.0});
   EXPECT_EQ(map.frequency_hz, 25.0);

@@ -14,7 +14,7 @@ using analytic::TipSupport;
 // f(t) of the bonded tip over 0.2 s. A quarter of the step with half the element leaves 1/16 of the error; twice the
 // modes leave an eighth.
 STICKSLIP_VERIFIES(DampedSteppedResponse, "X8");
-TEST(DampedSteppedResponse, StartsAsTheClosedFormSays) {
+TEST(DampedSteppedResponse, StartsAsTheClosedForm) {
   const auto stepped = [](const Vibration& v, int level) {
     data::NumericalChoices choices = paper_choices(0.2);
     choices.elements = 20 << level;

@@ -34,7 +34,7 @@ TEST(DerivedResults, DifferencesOfForceMaxima) {
   EXPECT_NEAR(row.printed_difference(), 0.01, 1e-15);
 }
 
-TEST(DerivedResults, MedianAndTenthsOfAmplitudeRatios) {
+TEST(DerivedResults, QuantilesOfAmplitudeRatios) {
   std::vector<studies::CriticalAmplitudePoint> reference, curve;
   for (int i = 1; i <= 21; ++i) {
     reference.push_back({1.0, 2.0});
@@ -80,7 +80,7 @@ TEST(DerivedResults, WhatASearchOrAPanelHasOrHasNot) {
   EXPECT_EQ(benchmark.finest_stepped().time_step, 1e-5);
 }
 
-TEST(DerivedResults, UnexplainedShareOfAnEnergyBalance) {
+TEST(DerivedResults, UnexplainedShareOfEnergy) {
   studies::EnergyAudit audit;
   audit.event_driven = {.kinetic = 7.0,
                         .potential = 2.0,

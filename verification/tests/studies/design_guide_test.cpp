@@ -165,7 +165,7 @@ TEST(DesignScan, EndsOfABandAreAsAccurateAsStated) {
 
 // Over a few periods a peak is wide and stands beside the resonance, over many it is far narrower than the spacing of the values. An
 // amplitude of 0.05 % over what the peak takes leaves a part of its width only.
-TEST(DesignScan, FindsAPeakBetweenTheValuesOfItsGrid) {
+TEST(DesignScan, FindsAPeakBetweenItsValues) {
   const CaseDomain domain{.lowest_force = 0.05,
                           .highest_force = 0.5,
                           .shortest = 3.0,
@@ -209,7 +209,7 @@ TEST(DesignScan, OfADampedBeamSettles) {
 }
 
 // The tip slips before a natural frequency enters the band, and the label begins where it does.
-TEST(DesignScan, NamesANaturalFrequencyOnlyWhereItIsInTheBand) {
+TEST(DesignScan, NamesFrequenciesOfTheBandOnly) {
   const FrequencyBand band{25.0, 28.0};
   const auto scan = design_scan(flat_case(), "beam.length", {0.6, 1.1}, band);
   int named = 0;
@@ -246,7 +246,7 @@ TEST(DesignScan, OfALengthOverBucklingSaysSo) {
                data::InputError);
 }
 
-TEST(DesignScan, RefusesAnotherParameterAndARangeThatFalls) {
+TEST(DesignScan, RefusesAFallingRange) {
   const data::Case problem = flat_case();
   EXPECT_THROW((void)design_scan(problem, "excitation.frequency_hz", {1.0, 2.0}, {25.0, 25.0}),
                std::invalid_argument);

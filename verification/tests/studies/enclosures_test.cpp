@@ -285,7 +285,7 @@ double spring_of(const data::Case& problem, double share) {
   return share * 3.0 * rigidity(problem.beam) / std::pow(problem.beam.length(), 3);
 }
 
-TEST(Enclosures, OfDampedBeamsHoldTheForceOfEachInstant) {
+TEST(Enclosures, OfDampedBeamsHoldEachInstant) {
   const CaseDomain damped{.highest_force = 0.5,
                           .shortest = 1e-2,
                           .longest = 10.0,
@@ -454,7 +454,7 @@ Bounds of_all_modes(const data::Case& problem) {
   return studies::criterion_with_all_modes(problem, 1e-8).force_max;
 }
 
-TEST(Enclosures, OfAllModesHoldTheForceOfFiniteElements) {
+TEST(Enclosures, OfAllModesHoldFiniteElements) {
   on_random_cases(16, short_ones, [](const CaseText& text, RandomNumbers&) {
     const data::Case problem = text.problem();
     const auto found = studies::criterion_with_all_modes(problem, 1e-8);

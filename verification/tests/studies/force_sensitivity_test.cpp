@@ -150,7 +150,7 @@ void no_trial_returns_all_printed_digits() {
 
 STICKSLIP_VERIFIES(ForceSensitivity, "X14");
 // One test, for every test is a process of its own and the study takes seconds.
-TEST(ForceSensitivity, IsTheoreticalAndPrintedDigitsAreTheSamplings) {
+TEST(ForceSensitivity, IsThatOfTheory) {
   ASSERT_EQ(study().frequency_hz, (std::vector{15.0, 25.0, 35.0, 70.0}));
   rows_are_those_of_their_settings();
   changes_are_those_from_the_unchanged_row_of_the_method();

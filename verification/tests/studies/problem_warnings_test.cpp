@@ -52,7 +52,7 @@ std::vector<Concern> concerns_of(const std::vector<studies::Warning>& warnings) 
 STICKSLIP_VERIFIES(ThickBeam, "X21");
 // Against Timoshenko's beam without axial force. For half waves on pinned supports the next term is (3/8) error^2, from
 // (k r)^4 E/(kappa G); the ends change its factor, not its order.
-TEST(ThickBeam, IsWarnedOfWhereTimoshenkosEquationsDiffer) {
+TEST(ThickBeam, WarnsWhereTimoshenkosDiffers) {
   int warned = 0, silent = 0;
   on_random_beams(30, no_force, [&](const data::Beam& beam, RandomNumbers&) {
     const data::Case problem = with(paper_with(), beam);
@@ -107,7 +107,7 @@ const CaseDomain of_forces{
     .shortest = 0.3, .longest = 30.0, .kelvin_voigt = 0.0, .ratio = 0.0, .resonant = 0.1};
 
 STICKSLIP_VERIFIES(CoarseMesh, "X21");
-TEST(CoarseMesh, IsWarnedOfWhereHalfTheElementsDiffer) {
+TEST(CoarseMesh, WarnsWhereHalfTheElementsDiffer) {
   int differ = 0, silent = 0;
   on_random_cases(40, of_forces, [&](const CaseText& text, RandomNumbers& numbers) {
     const data::Case fine = text.problem();
@@ -164,7 +164,7 @@ TEST(DistantRows, AreWarnedOfWhereFinerRowsDiffer) {
 
 STICKSLIP_VERIFIES(LongStep, "X21");
 // (omega h)^2 (k_1 + k_2)/2 with k_1 = 1/12 + d^2/4, k_2 = 1/12 + d^2/2, d = alpha_f - alpha_m.
-TEST(LongStep, HasTheErrorOfTheLeadingTermWhereItIsShort) {
+TEST(LongStep, HasTheErrorOfTheLeadingTerm) {
   for (const double radius : {0.5, 0.9, 1.0}) {
     const double d = (1.0 - radius) / (1.0 + radius);
     for (const double angle : {0.02, 0.05, 0.1}) {
@@ -213,7 +213,7 @@ TEST(LongStep, IsWarnedOfWithAStepThatPasses) {
 
 STICKSLIP_VERIFIES(ModesThatMatter, "X21");
 // max |f| in closed form over the duration, or over a period of the excitation or of the first mode if that is longer.
-TEST(ModesThatMatter, HaveAnAmplitudeAboveTheirShare) {
+TEST(ModesThatMatter, HaveAnAmplitudeAboveAShare) {
   const double natural = analytic::stick_modes(paper_with().beam, 1).front().frequency_hz();
   for (const double duration : {0.002, 1.0})
     for (int hz = 5; hz <= 300; hz += 5) {
@@ -238,7 +238,7 @@ TEST(ModesThatMatter, HaveAnAmplitudeAboveTheirShare) {
 
 STICKSLIP_VERIFIES(Resonance, "X21");
 // Half a beat lasts pi/|Omega - omega_1|. Does |f| of the last tenth exceed all that was before?
-TEST(Resonance, IsWarnedOfWhileTheReactionGrowsToTheEnd) {
+TEST(Resonance, WarnsWhileTheReactionGrows) {
   CaseDomain long_ones = of_forces;
   long_ones.shortest = 40.0, long_ones.longest = 300.0, long_ones.lowest_frequency = 0.99,
   long_ones.highest_frequency = 1.01;
@@ -366,7 +366,7 @@ TEST(DrawBack, HasKnownValuesAndIsWarnedOf) {
 
 STICKSLIP_VERIFIES(Flutter, "X21");
 // The mesh of the warning against modes of the continuous beam, 0.3 % away from where they begin to grow.
-TEST(Flutter, IsWarnedOfWhereAModeOfTheClosedFormGrows) {
+TEST(Flutter, IsWarnedOfWhereAModeGrows) {
   int growing = 0, resting = 0;
   const CaseDomain domain{.lowest_force = 0.05, .highest_force = 0.95, .fixed_direction = 0.6};
   on_random_cases(150, domain, [&](CaseText text, RandomNumbers&) {
@@ -460,7 +460,7 @@ TEST(Flutter, IsHeldByTheBoundaryIntegralForAWhile) {
 
 STICKSLIP_VERIFIES(LongSteps, "X21");
 // 47 changes; 45 with a step of 2.5e-4 s, 51 with 5e-4 s.
-TEST(LongSteps, AreWarnedOfWhereTwiceTheStepHasOtherChanges) {
+TEST(LongSteps, WarnIfTwiceTheStepDiffers) {
   const auto is_warned = [](const std::vector<data::Override>& step) {
     const data::Case problem = data::load_case("damped", step);
     const auto history = studies::finite_element_history(problem);
@@ -507,7 +507,7 @@ kelvin_voigt = 1.5280465638377978e-06
 
 STICKSLIP_VERIFIES(ProblemWarnings, "X21");
 // 25 Hz is 0.028 Hz above the first natural frequency: |f| grows for 17.8 s, longer than the run.
-TEST(ProblemWarnings, OfThePapersCaseAreItsResonanceAlone) {
+TEST(ProblemWarnings, OfThePapersCaseAreOne) {
   const auto concerns = [](Inquiry inquiry, int frequencies) {
     return concerns_of(studies::problem_warnings(paper_with(), inquiry, frequencies));
   };
@@ -519,7 +519,7 @@ TEST(ProblemWarnings, OfThePapersCaseAreItsResonanceAlone) {
   EXPECT_EQ(concerns(Inquiry::stick_frequencies, 3), std::vector{Concern::thick_beam});  // by 5.2 %
 }
 
-TEST(ProblemWarnings, OfAMapAreThoseThatItsAxesLeaveAsTheyAre) {
+TEST(ProblemWarnings, OfAMapAreThoseOfNoAxis) {
   const auto concerns = [](const std::vector<data::Override>& overrides,
                            const std::vector<std::string_view>& axes) {
     return concerns_of(studies::warnings_common_to(paper_with(overrides), axes));
@@ -568,7 +568,7 @@ TEST(ProblemWarnings, AreOneSentenceEach) {
   EXPECT_GT(warnings, 10);
 }
 
-TEST(ProblemWarnings, AreRefusalsFromTheNamedPeriodsOn) {
+TEST(ProblemWarnings, RefuseFromTheNamedPeriodsOn) {
   const double tenth = analytic::stick_modes(paper_with().beam, 10).back().frequency_hz();
   const auto error_message = [](double hz, double duration, Inquiry inquiry) {
     return error_message_if_any<data::FieldError>([&] {

@@ -30,7 +30,7 @@ data::Case paper_at(double hz, double amplitude = half_millimetre) {
 STICKSLIP_VERIFIES(SlenderForce, "X22");
 // The error of a mesh is that of the frequency of mode 1, (beta l)^4/1440 + rho A omega^2 l^2/(24 k G A), over its distance to
 // the excitation, 24.72 Hz to 25 Hz; half a beat of 3.6 s is inside the duration, so that the largest |f| follows the distance.
-TEST(SlenderForce, NearResonanceIsThatOfAMeshWithShear) {
+TEST(SlenderForce, NearResonanceIsThatOfAMesh) {
   const auto force = studies::slender_force(paper_at(25.0));
   const data::Case sheared = with(paper_at(25.0), studies::with_shear(paper().beam));
   constexpr int elements = 80;
@@ -127,7 +127,7 @@ TEST(Refusals, AreForForcesWithoutAStickState) {
 }
 
 STICKSLIP_VERIFIES(AmplitudeLimits, "X22");
-TEST(AmplitudeLimits, AreThoseOfTheCommandAndItsSteadyAndShearedBeams) {
+TEST(AmplitudeLimits, AreThoseOfTheCommand) {
   const data::Case damped = data::load_case("damped");
   std::vector<studies::CriticalAmplitudeSearch> finite_elements(2);
   finite_elements[0].frequency_hz = 20.0;

@@ -13,7 +13,7 @@ using studies::grid_convergence;
 using studies::GridConvergence;
 
 STICKSLIP_VERIFIES(GridConvergenceIndex, "X16");
-TEST(GridConvergenceIndex, OfAPowerLawIsItsClosedForm) {
+TEST(GridConvergenceIndex, IsExactForAPowerLaw) {
   for (const double ratio : {1.5, 2.0, 3.0}) {
     for (const double order : {1.0, 2.0, 4.0}) {
       for (const double error : {0.3, -0.02}) {

@@ -46,7 +46,7 @@ void expect_predicted_errors(const studies::StickHistoryStudy& study) {
   }
 }
 
-TEST(Figure9, ErrorsWithoutDissipationAreThePredicted) {
+TEST(Figure9, ErrorsAreThePredicted) {
   const auto study = studies::stick_history_study(figure9_case(1.0, 1.0), 3);
   ASSERT_EQ(study.levels.size(), 3U);
   expect_predicted_errors(study);
@@ -88,7 +88,7 @@ TEST(Figure9, AgreesWithin1em5And5em4OfThePeak) {
 }
 
 STICKSLIP_VERIFIES(ForceMaximumAt, "X2");
-TEST(ForceMaximumAt, FiniteElementsReturnThePredictedMaximum) {
+TEST(ForceMaximumAt, IsThePredictedOne) {
   for (const double hz : {15.0, 25.0, 35.0, 70.0}) {
     SCOPED_TRACE(hz);
     for (const double radius : {0.5, 0.9}) {
@@ -110,7 +110,7 @@ TEST(ForceMaximumAt, FiniteElementsReturnThePredictedMaximum) {
 }
 
 STICKSLIP_VERIFIES(ForceMaximumOfTheFlatSection, "X2");
-TEST(ForceMaximumOfTheFlatSection, IsThePredictedOneWhateverTheStep) {
+TEST(ForceMaximumOfTheFlatSection, IsThatOfAnyStep) {
   // Fig. 14 at L = 0.767 m, P = 200 N, under the first resonance: a modest force in which the high free
   // vibrations count, whose amplitudes the steps change by a quarter of (omega_n h)^2.
   for (const double step : {2e-4, 1e-4, 5e-5}) {
@@ -169,7 +169,7 @@ TEST(SteppedFromRest, IsWhatTheMethodComputes) {
 }
 
 STICKSLIP_VERIFIES(StickState, "X1");
-TEST(StickState, ModeShapesOfBothImplementationsAreTheSame) {
+TEST(StickState, ModeShapesOfBothAgree) {
   // Of a few points the first two lie on different sides of a node.
   auto curves = studies::mode_shape_study(paper_beam(), 3, 20, 101).curves;
   for (const auto& curve : studies::mode_shape_study(paper_beam(), 3, 20, 6).curves) curves.push_back(curve);
@@ -196,7 +196,7 @@ TEST(StickState, ModeShapesOfBothImplementationsAreTheSame) {
 }
 
 // Of one free vibration and the one that the mesh and the steps make of it.
-TEST(StickState, DriftBoundHoldsAndIsNoTwiceTooLarge) {
+TEST(StickState, DriftBoundIsNotTwiceTooLarge) {
   const auto mode = analytic::stick_modes(paper_beam(), 1);
   for (const double radius : {0.0, 0.5, 1.0})
     for (const auto& [duration, step] : {std::pair{0.3, 1e-4}, {30.0, 1e-4}, {0.05, 6e-3}}) {
@@ -219,7 +219,7 @@ TEST(StickState, DriftBoundHoldsAndIsNoTwiceTooLarge) {
 }
 
 // The force of one step is that at its end.
-TEST(StickState, PredictedForceHoldsThatOfRandomCases) {
+TEST(StickState, PredictedForceHolds) {
   const CaseDomain undamped{.highest_force = 0.9,
                             .shortest = 0.1,
                             .longest = 6.0,
@@ -246,7 +246,7 @@ TEST(StickState, PredictedForceHoldsThatOfRandomCases) {
 // --- The motion of the whole beam by finite elements against the continuous beam (Fig. 3).
 
 STICKSLIP_VERIFIES(BeamMotionAt, "X6");
-TEST(BeamMotionAt, AgreesWithinThePredictionWhileTheTipSticks) {
+TEST(BeamMotionAt, AgreesWithinThePrediction) {
   for (const double hz : {15.0, 25.0, 35.0, 70.0}) {
     SCOPED_TRACE(hz);
     const auto study = studies::beam_motion_study(paper_problem(hz, 0.5e-3), 17, 41);
@@ -287,7 +287,7 @@ TEST(BeamMotionAt, AgreesWithinThePredictionWhileTheTipSticks) {
 }
 
 STICKSLIP_VERIFIES(BeamMotion, "X6");
-TEST(BeamMotion, EventDrivenIsTheClosedFormUntilTheFirstSlip) {
+TEST(BeamMotion, IsTheClosedFormUntilFirstSlip) {
   const data::Case at = paper_problem(25.0, 0.5e-3);
   const auto grid = studies::snapshots_of(at, 0.0, 0.0969, 31, 21);  // the first slip is at 0.09692 s
   const auto events = studies::event_driven_history(at, grid);
@@ -328,7 +328,7 @@ double next_term(const analytic::StickMode& mode, double element_length) {
 STICKSLIP_VERIFIES(RayleighBound, "M2");
 // The mesh's functions are admissible: no frequency can lie below that of the beam, whatever the mode. Of the
 // modes that the mesh resolves, beta l < 1, the excess of omega^2 is (beta l)^4/720 at P = 0.
-TEST(RayleighBound, HoldsWithinTheInterpolationError) {
+TEST(RayleighBound, HoldsForInterpolations) {
   on_random_beams(60, any_force, [](const data::Beam& beam, RandomNumbers& numbers) {
     const int elements = numbers.whole(1, 10);
     const double element_length = beam.length() / elements;

@@ -66,7 +66,7 @@ TEST(StickSums, SolveTheEquationOfTheMode) {
   }
 }
 
-TEST(StickSums, WithoutFreeVibrationsAreInPhaseWithTheBase) {
+TEST(StickSums, WithoutStartAreInPhase) {
   StickSum sum = one_mode();
   sum.free_vibrations = false;
   const auto terms = sinusoids(sum, base_motion(), StickReading::displacement);
@@ -89,7 +89,7 @@ TEST(StickSums, GrowLinearlyAtResonance) {
               1e-8 * pi * t * (0.9 * 0.5 * 0.7 * 2e-3 * pi * t));  // of the growing part
 }
 
-TEST(StickSums, HaveTheirLargestValueBetweenSamplesOrAtTheEnd) {
+TEST(StickSums, HaveTheirLargestValue) {
   const std::vector<Sinusoid> one{{2.0, 3.0}};
   // The parabola through three samples leaves (w h)^4/128 of the amplitude at most.
   for (const double step : {0.05, 0.031})
@@ -104,7 +104,7 @@ TEST(StickSums, HaveTheirLargestValueBetweenSamplesOrAtTheEnd) {
               (2.0 * 27.0 + 1.5 * 343.0) * 1e-6 / (9.0 * std::sqrt(3.0)));
 }
 
-TEST(StickSums, AreSteppedByTheSchemeAsItsBalanceSays) {
+TEST(StickSums, AreSteppedAsTheBalanceSays) {
   const StickSum sum = one_mode();
   const StickSum::Mode& mode = sum.modes[0];
   const studies::ModalScheme scheme{.step = 0.02,

@@ -498,7 +498,7 @@ INSTANTIATE_TEST_SUITE_P(Engines, Similarity,
 class Linearity : public Transformation {};
 
 STICKSLIP_VERIFIES(Linearity, "M1");
-TEST_P(Linearity, TwiceTheAmplitudeIsTwiceTheResponseBitForBit) {
+TEST_P(Linearity, OfAmplitudeIsExact) {
   on_random_beams(GetParam().beams, GetParam().force, [&](const data::Beam& beam, RandomNumbers& numbers) {
     Scene scene = scene_of(GetParam(), beam, numbers);
     const auto once = GetParam().measure(scene);
@@ -572,7 +572,7 @@ void PrintTo(const FirstSlip& row, std::ostream* stream) { *stream << row.name; 
 class Monotonicity : public ::testing::TestWithParam<FirstSlip> {};
 
 STICKSLIP_VERIFIES(Monotonicity, "M1");
-TEST_P(Monotonicity, OfTheFirstSlipInFrictionAndAmplitude) {
+TEST_P(Monotonicity, OfTheFirstSlip) {
   on_random_beams(15, compression, [](const data::Beam& beam, RandomNumbers& numbers) {
     const data::Case problem = slipping(beam, numbers);
     const auto slip_at = [&](double friction, double share) {
@@ -633,7 +633,7 @@ EventDriven continued(const ContactModel& model, const EventDriven& from, double
   return rest;
 }
 
-TEST(TimeShift, OfAPeriodRestartsTheEventDrivenHistory) {
+TEST(TimeShift, OfAPeriodRestartsTheHistory) {
   int events = 0;
   on_random_beams(20, compression, [&](const data::Beam& beam, RandomNumbers& numbers) {
     const data::Case problem = slipping(beam, numbers);

@@ -80,7 +80,7 @@ double coverage(double p, unsigned count) {
 }
 
 STICKSLIP_VERIFIES(ConfidenceIntervals, "Q1");
-TEST(ConfidenceIntervals, OfAProbabilityHoldItAtLeastSoOften) {
+TEST(ConfidenceIntervals, OfAProbabilityHoldIt) {
   for (const unsigned count : {1U, 10U, 200U})
     for (const double p : {1e-4, 0.003, 0.05, 0.5, 0.77, 0.999}) EXPECT_GE(coverage(p, count), 0.95) << p;
   EXPECT_LT(coverage(0.5, 200), 0.97);  // and not by being wide
@@ -95,7 +95,7 @@ TEST(ConfidenceIntervals, OfAProbabilityHoldItAtLeastSoOften) {
 }
 
 // Of ranks: with x_i = i the interval says between which ranks the quantile lies.
-TEST(ConfidenceIntervals, OfAQuantileHoldItAtLeastSoOften) {
+TEST(ConfidenceIntervals, OfAQuantileHoldIt) {
   for (const unsigned count : {1U, 7U, 20U, 500U})  // 7 is below a power of two, where the search begins
     for (const double p : {0.05, 0.5, 0.95}) {
       std::vector<double> ranks(count);
@@ -156,7 +156,7 @@ void expect_index(const Estimate& index, double expected) {
 
 // Ishigami and Homma (1990), a = 7, b = 0.1.
 STICKSLIP_VERIFIES(SobolIndices, "Q1");
-TEST(SobolIndices, OfIshigamisFunctionAreItsClosedForms) {
+TEST(SobolIndices, OfIshigamisFunctionAreExact) {
   constexpr double a = 7.0, b = 0.1;
   const auto model = [](std::span<const double> u) -> std::optional<double> {
     const auto x = [&](std::size_t i) { return std::numbers::pi * (2.0 * u[i] - 1.0); };
@@ -181,7 +181,7 @@ TEST(SobolIndices, OfIshigamisFunctionAreItsClosedForms) {
 }
 
 // Of x_1 + 2 x_2 they are 1/5 and 4/5, of first order and in total.
-TEST(SobolIndices, HaveIntervalsThatHoldThemAsOftenAsSaid) {
+TEST(SobolIndices, HaveIntervalsThatHoldThem) {
   const auto model = [](std::span<const double> u) { return std::optional(u[0] + 2.0 * u[1]); };
   constexpr std::size_t runs = 400;
   std::array<double, 4> held{};
@@ -213,7 +213,7 @@ TEST(SobolIndices, CountTheRowsThatHaveNoValue) {
 
 // x_1 - x_2 has the variance s_1^2 + s_2^2 - 2 rho s_1 s_2, whose estimate varies by sqrt(2/n).
 STICKSLIP_VERIFIES(JointDistribution, "Q1");
-TEST(JointDistribution, HasTheCorrelationThatIsAskedFor) {
+TEST(JointDistribution, HasTheStatedCorrelation) {
   constexpr std::size_t count = 20000;
   auto uncertainty = independent({{"a", normal(1.0, 2.0)}, {"b", normal(3.0, 1.0)}});
   uncertainty.correlation = {1.0, 0.7, 0.7, 1.0};
@@ -257,7 +257,7 @@ std::string refused_because(const data::Uncertainty& uncertainty,
 
 // mu_s alone: A_c is proportional to it, and the tip slips below mu_c = A_0 |f_max|/(A_0 P).
 STICKSLIP_VERIFIES(SlipProbability, "Q2");
-TEST(SlipProbability, OfACoefficientIsThatOfItsDistribution) {
+TEST(SlipProbability, OfACoefficientIsExact) {
   data::Case of = problem();
   for (const data::Damping& damping : {data::Damping(), data::Damping({.kelvin_voigt = 6.4e-5})}) {
     of.damping = damping;
@@ -291,7 +291,7 @@ TEST(SlipProbability, OfACoefficientIsThatOfItsDistribution) {
 
 // Samples slip whose mu_s, per amplitude, is below that of all modes, which is another than that of ten modes. A Young's modulus
 // that is uncertain by 1e-12 moves no verdict, but each sample has a force of its own then.
-TEST(SlipProbability, OfAllModesCountsTheFirstSamples) {
+TEST(SlipProbability, OfAllModesHasFewSamples) {
   const auto with_amplitude = independent(
       {{"friction.static_coefficient", normal(0.55, 0.05)}, {"excitation.amplitude", uniform(4e-4, 6e-4)}});
   const auto with_a_force_each = independent({{"friction.static_coefficient", normal(0.55, 0.05)},
@@ -328,7 +328,7 @@ TEST(SlipProbability, OfAllModesCountsTheFirstSamples) {
 }
 
 // log(margin) is normal: that of mu_s less that of the amplitude, and its variance is known with their correlation.
-TEST(SlipProbability, OfCorrelatedKeysIsThatOfTheirQuotient) {
+TEST(SlipProbability, OfCorrelatedKeysIsExact) {
   auto uncertainty = independent({{"friction.static_coefficient", lognormal(0.6, 0.06)},
                                   {"excitation.amplitude", lognormal(0.55e-3, 0.11e-3)}});
   const double s = std::sqrt(std::log1p(0.01)), t = std::sqrt(std::log1p(0.04));
@@ -348,7 +348,7 @@ TEST(SlipProbability, OfCorrelatedKeysIsThatOfTheirQuotient) {
 }
 
 // A verdict comes from another search than the margin of the same sample. Damping makes the force much smaller.
-TEST(SlipProbability, CountsTheSamplesWhoseMarginIsBelowOne) {
+TEST(SlipProbability, CountsMarginsBelowOne) {
   data::Case of = problem();
   const double modulus = of.beam.youngs_modulus();
   for (const data::Damping& damping : {data::Damping(), data::Damping({.ratio = 0.2})}) {
@@ -365,7 +365,7 @@ TEST(SlipProbability, CountsTheSamplesWhoseMarginIsBelowOne) {
 }
 
 // Where the tip sticks in the mean, less spread makes slip rarer; where it slips in the mean, surer.
-TEST(SlipProbability, AdvisesATighterToleranceOnlyWhereItHelps) {
+TEST(SlipProbability, AdvisesOnlyWhatHelps) {
   for (const double amplitude : {0.5e-3, 0.8e-3}) {
     const data::Case of = with_value(problem(), "excitation.amplitude", amplitude);
     const auto result = studies::slip_uncertainty(of, uncertain_coefficient(), {.samples = 2000});
@@ -403,7 +403,7 @@ TEST(SlipProbability, CountsWhatIsNoBeam) {
 }
 
 // A key with a value that no beam has is the decisive one, beside one that changes the margin fourfold.
-TEST(SlipProbability, HasTheDecisiveKeyThatMakesTheBeamInvalid) {
+TEST(SlipProbability, HasTheKeyOfInvalidBeams) {
   auto uncertainty =
       independent({{"friction.static_coefficient", uniform(0.1, 0.5)}, {"beam.length", uniform(-1.0, 2.0)}});
   uncertainty.correlation[1] = uncertainty.correlation[2] = 0.1;
@@ -414,7 +414,7 @@ TEST(SlipProbability, HasTheDecisiveKeyThatMakesTheBeamInvalid) {
 }
 
 // The kinetic coefficient of the case is 0.3: it follows a smaller static one unless it is uncertain itself.
-TEST(SlipProbability, LetsTheKineticCoefficientFollow) {
+TEST(SlipProbability, KineticCoefficientFollows) {
   const std::pair<std::string, Distribution> coefficient{"friction.static_coefficient", uniform(0.1, 0.5)};
   EXPECT_EQ(studies::slip_uncertainty(problem(), independent({coefficient}), {.samples = 1000}).valid, 1000u);
   const auto both = studies::slip_uncertainty(
@@ -438,7 +438,7 @@ TEST(SlipProbability, HasIndicesOfUpToTwentyKeys) {
   }
 }
 
-TEST(SlipProbability, OverABandIsThatOfItsWorstFrequency) {
+TEST(SlipProbability, OverABandIsOfTheWorst) {
   const analytic::FrequencyBand band{30.0, 32.0};
   const double critical = 0.6 / studies::band_margin(problem(), band).margin.midpoint();
   const auto coefficient =

@@ -88,7 +88,7 @@ double period_of(const validation::Record& record) {
 
 // 200 samples a period: turning points to half a sample each, over 39 periods or more.
 STICKSLIP_VERIFIES(SliderModel, "K2");
-TEST(SliderModel, ClosedFormIsTheMotionOfBothImplementations) {
+TEST(SliderModel, IsTheMotionOfBothPrograms) {
   for (Slider slider : {fast_slider, Slider{.stiffness = 168.0, .speed = 1100e-6}}) {
     slider.moved_mass = 0.8 * slider.mass;
     const FrictionForm form{.excess = 0.03};
@@ -106,7 +106,7 @@ TEST(SliderModel, ClosedFormIsTheMotionOfBothImplementations) {
 }
 
 // Friction that falls with the speed, decay over V, and a contact spring in parts of k.
-TEST(SliderModel, WeakeningAndContactSpringKeepTheNaturalPeriod) {
+TEST(SliderModel, KeepsTheNaturalPeriod) {
   const double natural = natural_period(fast_slider);
   for (const double decay : {0.03, 0.3, 3.0, 30.0}) {
     const FrictionForm form{.excess = 0.0312, .decay = decay / fast_slider.speed};
@@ -151,7 +151,7 @@ TEST(DamperModel, LoopOfASpringWithPlay) {
 }
 
 STICKSLIP_VERIFIES(StripModel, "K2");
-TEST(StripModel, FrequenciesAreThoseOfTheSlipStateWithoutLoad) {
+TEST(StripModel, HasFrequenciesOfTheFreeTip) {
   const validation::Strip strip;
   const data::Beam beam({.length = strip.length,
                          .area = 0.05 * strip.height,
@@ -211,7 +211,7 @@ TEST(MeasuredComparison, NoSetPointIsLeftOut) {
 
 // Two estimators that share nothing, the cycles between turning points and the autocorrelation, against 2 pi sqrt(m/k) with
 // 5 % for k: the published mass and stiffness are refuted at 4300 um/s, the moved mass of the slip at 42 um/s is not.
-TEST(MeasuredComparison, PeriodsBelowThatOfMassAndSpring) {
+TEST(MeasuredComparison, HasPeriodsBelowASprings) {
   const auto figures = validation::measured_figures();
   for (const std::string record : {"k168-v4300", "k1002-v4300", "k2254-v4300"}) {
     const double k = std::stod(record.substr(1)),
@@ -229,7 +229,7 @@ TEST(MeasuredComparison, PeriodsBelowThatOfMassAndSpring) {
 }
 
 // The raw records are not part of the project: only files with the digests of the table are read.
-TEST(MeasuredComparison, TablesHoldEachRecordByItsDigest) {
+TEST(MeasuredComparison, HasTheDigestOfEachRecord) {
   const auto table = validation::measured_figures();
   const auto points = validation::set_points();
   for (const auto& point : points) {
@@ -251,7 +251,7 @@ TEST(MeasuredComparison, TablesHoldEachRecordByItsDigest) {
 }
 
 STICKSLIP_VERIFIES(ProposedRig, "K3");
-TEST(ProposedRig, FrequenciesDecideOnTheDirectionOfTheForce) {
+TEST(ProposedRig, TellsTheDirectionOfTheForce) {
   const studies::ProposedRig rig = studies::proposed_rig("rig");
   const std::vector accuracies{0.0073, 0.015, 0.032, 0.050, 0.072};  // of theory.md, Sect. 17 (a), at 0.3 m
   for (std::size_t i = 0; i < accuracies.size(); ++i)

@@ -62,7 +62,7 @@ class MeasuredRecords : public ::testing::Test {
 };
 
 STICKSLIP_VERIFIES(MeasuredRecords, "K1");
-TEST_F(MeasuredRecords, MatFileWithAndWithoutCompression) {
+TEST_F(MeasuredRecords, OfMatFilesMayBeCompressed) {
   const std::vector<double> t{0.0, 0.5, 1.0}, x{0.25, -1e-300, 3e7};
   const auto arrays =
       validation::read_mat(file(mat_header() + compressed(array("t", t)) + array("Fnorm", x)));
@@ -169,7 +169,7 @@ TEST(CycleEstimators, GapsLeaveNoLongCycle) {
   EXPECT_LT(period.uncertainty, 0.01 * slow.exact("period"));
 }
 
-TEST(CycleEstimators, AutocorrelationFindsTheFundamental) {
+TEST(CycleEstimators, FindTheFundamental) {
   Record record;
   for (int i = 0; i < 8000; ++i) {
     const double t = 5e-4 * i, phase = 2.0 * std::numbers::pi * t / 0.0293;
