@@ -42,10 +42,4 @@ struct Vibration {
 /// Its amplitude.
 [[nodiscard]] double finite_element_steady_force(const data::Case& problem, int elements);
 
-/// Of point i of n + 1 in Simpson's rule, to be multiplied by a third of the distance.
-inline double simpson_weight(int i, int n) {
-  if (i == 0 || i == n) return 1.0;
-  return i % 2 == 1 ? 4.0 : 2.0;
-}
-
 }  // namespace stickslip::testing
