@@ -76,6 +76,17 @@ inline CaseText stated(CaseText text, const Statement& statement) {
   return text;
 }
 
+inline void give_units(CaseText& text) {
+  for (const auto& [key, unit, one] : {std::tuple{"beam.length", "mm", 1e-3},
+                                       {"section.width", "um", 1e-6},
+                                       {"section.height", "cm", 1e-2},
+                                       {"beam.density", "g/cm^3", 1e3},
+                                       {"beam.youngs_modulus", "GPa", 1e9},
+                                       {"beam.axial_force", "kN", 1e3},
+                                       {"excitation.frequency_hz", "kHz", 1e3}})
+    text.set(key, "\"" + data::shortest_text(text.number(key) / one) + " " + unit + "\"");
+}
+
 inline CaseText random_case(RandomNumbers& numbers, const CaseDomain& domain) {
   const auto happens = [&numbers](double share) { return numbers.uniform(0.0, 1.0) < share; };
   CaseText text;
@@ -130,15 +141,7 @@ inline CaseText random_case(RandomNumbers& numbers, const CaseDomain& domain) {
       text.set("contact.regularisation_velocity", speed * numbers.log_uniform(1e-3, 0.1));
     if (!text.has("friction.decay")) text.set("friction.decay", 1.0 / speed);
   }
-  if (domain.units > 0.0 && happens(domain.units))
-    for (const auto& [key, unit, one] : {std::tuple{"beam.length", "mm", 1e-3},
-                                         {"section.width", "um", 1e-6},
-                                         {"section.height", "cm", 1e-2},
-                                         {"beam.density", "g/cm^3", 1e3},
-                                         {"beam.youngs_modulus", "GPa", 1e9},
-                                         {"beam.axial_force", "kN", 1e3},
-                                         {"excitation.frequency_hz", "kHz", 1e3}})
-      text.set(key, "\"" + data::shortest_text(text.number(key) / one) + " " + unit + "\"");
+  if (domain.units > 0.0 && happens(domain.units)) give_units(text);
   if (domain.stated > 0.0 && happens(domain.stated))
     text = stated(text, statements[static_cast<std::size_t>(numbers.whole(0, 3))]);
   return text;
