@@ -109,6 +109,26 @@ TEST_F(UncertaintyTable, TakesSamplesInAnyUnit) {
     EXPECT_EQ(samples(fmt::format("\"{}\"\n500\n400\n", head), head), metres) << head;
 }
 
+struct Refusal {
+  std::string kind, rest, sentence;  // how it begins, from what is wrong with the distribution on
+};
+const std::vector<Refusal> refused_distributions{
+    {"norml", "", ".distribution is 'norml' (a string) (did you mean normal?), but must be one of normal, "},
+    {"samples", ", file = 1, column = 'L'",
+     ".file is 1 (an integer), but must be a string that is not empty"},
+    {"normal", ", mean = 2", ".standard_deviation is missing, but must be a finite number"},
+    {"normal", ", mean = '2 s'", ".mean is '2 s' (a string), but must be a number (m) or a text of a number"},
+    {"normal", ", mean = 2, standard_deviation = 0",
+     ".standard_deviation is 0 (an integer), but must be above 0"},
+    {"normal", ", mean = nan, standard_deviation = 1", ".mean is nan (a float), but must be a finite number"},
+    {"lognormal", ", mean = 0, standard_deviation = 1", ".mean is 0 (an integer), but must be above 0 for "},
+    {"uniform", ", lower = 2, upper = 2", ".upper is 2 (an integer), but must be above lower"},
+    {"triangular", ", lower = 2, mode = 2, upper = 2", ".upper is 2 (an integer), but must be above lower"},
+    {"triangular", ", lower = 1, mode = 4, upper = 3",
+     ".mode is 4 (an integer), but must be from lower to upper"},
+    {"uniform", ", lower = 1, upper = 1e9",
+     ": beam.length is 1e+09, but must be from 1e-09 to 1e+06 (m) in "}};
+
 TEST_F(UncertaintyTable, IsRefusedAtItsPlace) {
   for (const auto& [name, text] : {std::pair{"m", "M\n1\n2\n"},
                                    {"s", "L [s]\n1\n2\n"},
@@ -117,29 +137,7 @@ TEST_F(UncertaintyTable, IsRefusedAtItsPlace) {
                                    {"large", "L\n1\n1e9\n"},
                                    {"word", "L,M\n1,1\nlong,2\n"}})
     folder_.write(name, text);
-  struct Refusal {
-    std::string kind, rest, sentence;  // how it begins, from what is wrong with the distribution on
-  };
-  std::vector<Refusal> distributions{
-      {"norml", "",
-       ".distribution is 'norml' (a string) (did you mean normal?), but must be one of normal, "},
-      {"samples", ", file = 1, column = 'L'",
-       ".file is 1 (an integer), but must be a string that is not empty"},
-      {"normal", ", mean = 2", ".standard_deviation is missing, but must be a finite number"},
-      {"normal", ", mean = '2 s'",
-       ".mean is '2 s' (a string), but must be a number (m) or a text of a number"},
-      {"normal", ", mean = 2, standard_deviation = 0",
-       ".standard_deviation is 0 (an integer), but must be above 0"},
-      {"normal", ", mean = nan, standard_deviation = 1",
-       ".mean is nan (a float), but must be a finite number"},
-      {"lognormal", ", mean = 0, standard_deviation = 1",
-       ".mean is 0 (an integer), but must be above 0 for "},
-      {"uniform", ", lower = 2, upper = 2", ".upper is 2 (an integer), but must be above lower"},
-      {"triangular", ", lower = 2, mode = 2, upper = 2", ".upper is 2 (an integer), but must be above lower"},
-      {"triangular", ", lower = 1, mode = 4, upper = 3",
-       ".mode is 4 (an integer), but must be from lower to upper"},
-      {"uniform", ", lower = 1, upper = 1e9",
-       ": beam.length is 1e+09, but must be from 1e-09 to 1e+06 (m) in "}};
+  std::vector<Refusal> distributions = refused_distributions;
   for (const auto& [file, sentence] : std::vector<std::pair<std::string, std::string>>{
            {"m", ".column is L, but must be a column of m"},
            {"s", ".column is L [s], but must be a column in one of m, cm, mm, um, nm"},
@@ -172,6 +170,14 @@ TEST_F(UncertaintyTable, IsRefusedAtItsPlace) {
                               std::string(sentence.starts_with('.') ? ": uncertainty.\"beam.length\"" : "") +
                               sentence);
   }
+  for (const auto& [table, sentence] : refusals) {
+    const std::string message = error_message(table),
+                      expected = (sentence.starts_with(':') ? "bar.toml" : "") + sentence;
+    EXPECT_TRUE(message.starts_with(expected)) << message << "\n" << expected;
+  }
+}
+
+TEST_F(UncertaintyTable, RefusesCorrelationsAtTheirPlace) {
   const std::string keys =
       mu + "\"beam.length\" = { distribution = 'uniform', lower = 1, upper = 2 }\n" +
       "\"beam.area\" = { distribution = 'uniform', lower = 1, upper = 2 }\ncorrelation = ";
@@ -189,12 +195,8 @@ TEST_F(UncertaintyTable, IsRefusedAtItsPlace) {
            {"[['beam.length', 'beam.area', 0], ['beam.area', 'beam.length', 0.1]]",
             "has two rows of beam.area and "},
            {all_of_three, "is contradictory, but must be a positive definite matrix"}})
-    refusals.emplace_back(keys + rows + "\n", ":30: uncertainty.correlation " + sentence);
-  for (const auto& [table, sentence] : refusals) {
-    const std::string message = error_message(table),
-                      expected = (sentence.starts_with(':') ? "bar.toml" : "") + sentence;
-    EXPECT_TRUE(message.starts_with(expected)) << message << "\n" << expected;
-  }
+    EXPECT_TRUE(
+        error_message(keys + rows + "\n").starts_with("bar.toml:30: uncertainty.correlation " + sentence));
   // At the edge of what is positive definite.
   EXPECT_TRUE(data::cholesky_factor({1e-12}, 1).empty());
   EXPECT_EQ(data::cholesky_factor({1.5e-12}, 1).size(), 1u);
