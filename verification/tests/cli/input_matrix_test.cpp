@@ -966,8 +966,8 @@ TEST_F(OptionInput, IsAWholeNumberInDigits) {
         }
       }
       // One beyond a limit is refused, and the lower limit is taken where nothing else forbids it.
-      const auto sentence = [&](long beyond) {
-        return fmt::format("{} is {}, but must be an integer from {} to {} ", name, beyond, limits.str(1),
+      const auto sentence = [&, option = name](long beyond) {
+        return fmt::format("{} is {}, but must be an integer from {} to {} ", option, beyond, limits.str(1),
                            limits.str(2));
       };
       for (const long beyond : {std::stol(limits[1]) - 1, std::stol(limits[2]) + 1})

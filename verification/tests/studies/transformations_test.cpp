@@ -185,8 +185,8 @@ void expect_same_events(const std::vector<ContactEvent>& computed, const std::ve
   }
 }
 
-constexpr Dimension number{}, length{1, 0, 0}, per_length{-1, 0, 0}, per_time{0, 0, -1}, velocity{1, 0, -1},
-    force{1, 1, -2}, time_unit{0, 0, 1};
+constexpr Dimension number{}, length{1, 0, 0}, per_time{0, 0, -1}, velocity{1, 0, -1}, force{1, 1, -2},
+    time_unit{0, 0, 1};
 
 // Forces and verdicts.
 
