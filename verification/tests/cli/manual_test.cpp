@@ -56,7 +56,7 @@ std::optional<double> number_of(const std::string& word) {
 }
 
 // Words between blanks and commas; an empty one for each end of a line.
-std::vector<std::string> words_of(std::string text) {
+std::vector<std::string> printed_words(std::string text) {
   std::ranges::replace(text, ',', ' ');
   std::vector<std::string> words;
   std::istringstream lines(text);
@@ -142,8 +142,8 @@ TEST_F(Manual, CommandsRunAndPrintWhatIsShown) {
       const Outcome outcome = terminal(block.text);
       EXPECT_EQ(outcome.status, 0) << block.text << outcome.output;
       if (i + 1 == blocks.size() || blocks[i + 1].language != "text") continue;
-      EXPECT_TRUE(std::ranges::equal(words_of(without_progress(outcome.output)), words_of(blocks[i + 1].text),
-                                     is_as_shown))
+      EXPECT_TRUE(std::ranges::equal(printed_words(without_progress(outcome.output)),
+                                     printed_words(blocks[i + 1].text), is_as_shown))
           << block.text << "prints\n"
           << outcome.output << "but the page shows\n"
           << blocks[i + 1].text;
