@@ -234,16 +234,19 @@ double row_effect(const data::Case& problem, double spacing) {
 
 namespace {
 
+void warn_of_resonance(const data::Case& problem, Inquiry inquiry, std::vector<Warning>& warnings) {
+  if (auto resonance = resonance_warning(problem))
+    warnings.push_back(std::move(*resonance));
+  else if (inquiry == Inquiry::criterion)
+    warn_of_distance(problem, warnings);
+}
+
 std::vector<Warning> warnings_without_effect(const data::Case& problem, Inquiry inquiry, int frequencies) {
   std::vector<Warning> warnings;
   if (may_slip(inquiry))
     if (const auto unstable = instability_warning(problem)) warnings.push_back(*unstable);
-  if (inquiry == Inquiry::criterion || inquiry == Inquiry::closed_form_history) {
-    if (auto resonance = resonance_warning(problem))
-      warnings.push_back(std::move(*resonance));
-    else if (inquiry == Inquiry::criterion)
-      warn_of_distance(problem, warnings);
-  }
+  if (inquiry == Inquiry::criterion || inquiry == Inquiry::closed_form_history)
+    warn_of_resonance(problem, inquiry, warnings);
   if (inquiry == Inquiry::criterion || inquiry == Inquiry::closed_form_history || inquiry == Inquiry::design)
     if (auto few = few_modes_warning(problem)) warnings.push_back(std::move(*few));
   const int mode = is_about_frequencies(inquiry) ? frequencies : highest_mode_that_matters(problem);
@@ -554,6 +557,7 @@ std::optional<std::string> draw_back_warning(const data::Beam& beam, double draw
 std::vector<Warning> warnings_common_to(const data::Case& problem,
                                         const std::vector<std::string_view>& varied) {
   if (problem.beam.axial_force() >= analytic::stick_buckling_load(problem.beam)) return {};
+  const auto varies = [&](auto property) { return std::ranges::any_of(varied, property); };
   const auto moves_a_frequency = [](std::string_view parameter) {
     return !data::state_the_same(parameter, data::amplitude_keys.front()) &&
            parameter != "friction.static_coefficient" && parameter != "beam.axial_direction";
@@ -562,13 +566,10 @@ std::vector<Warning> warnings_common_to(const data::Case& problem,
     return parameter == "beam.length" || parameter == "beam.area" ||
            parameter == "beam.second_moment_of_area" || parameter.starts_with("section.");
   };
-  auto warnings = warnings_without_effect(problem, Inquiry::criterion, 0);
-  std::erase_if(warnings, [&](const Warning& warning) {
-    if (warning.concern == Concern::few_modes) return true;
-    return warning.concern == Concern::resonance || warning.concern == Concern::near_resonance
-               ? std::ranges::any_of(varied, moves_a_frequency)
-               : std::ranges::any_of(varied, changes_the_proportions);
-  });
+  std::vector<Warning> warnings;
+  if (!varies(moves_a_frequency)) warn_of_resonance(problem, Inquiry::criterion, warnings);
+  if (!varies(changes_the_proportions))
+    warn_of_thickness(problem.beam, false, highest_mode_that_matters(problem), warnings);
   return warnings;
 }
 
