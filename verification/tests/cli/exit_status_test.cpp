@@ -5,8 +5,8 @@
 
 #include "map_part.hpp"
 #include "program.hpp"
-#include "stickslip/data/atomic_file.hpp"
 #include "stickslip/data/case_file.hpp"
+#include "support/input_folder.hpp"
 #include "support/testing.hpp"
 
 namespace stickslip::cli {
@@ -45,7 +45,7 @@ TEST(ExitStatus, IsOneWhereARunFails) {
 // A map of which one evaluation is kept when the work throws.
 template <class Error>
 bool keeps_its_file(const Error& error) {
-  const data::TemporaryFolder folder;
+  const testing::InputFolder folder;
   const std::filesystem::path file = folder.path() / "map.csv.partial";
   const studies::MapTask task{.problem = data::load_case("paper"),
                               .x = studies::map_axis("excitation.frequency_hz", 1.0, 2.0, 2, false),

@@ -32,14 +32,6 @@ inline std::vector<double> evenly_spaced(double first, double last, double step)
   return values;
 }
 
-/// The largest |function(item)|, or NaN if one of them is. The function may be a member.
-template <class Range, class Function>
-double largest(const Range& items, Function&& function) {
-  double found = 0.0;
-  for (const auto& item : items) found = largest_or_nan({found, std::abs(std::invoke(function, item))});
-  return found;
-}
-
 /// The name of an instance in a table of claims: its id, with what GoogleTest allows.
 template <class Row>
 std::string claim_name(const ::testing::TestParamInfo<Row>& row) {

@@ -8,6 +8,7 @@
 #include "render/report.hpp"
 #include "stickslip/data/atomic_file.hpp"
 #include "support/command_line.hpp"
+#include "support/input_folder.hpp"
 #include "support/testing.hpp"
 
 namespace stickslip {
@@ -17,7 +18,7 @@ namespace fs = std::filesystem;
 
 class ReportOutput : public ::testing::Test {
  protected:
-  const data::TemporaryFolder temporary_;
+  const testing::InputFolder temporary_;
   const fs::path folder_ = temporary_.path() / "output";
 };
 
@@ -79,7 +80,7 @@ class DrawnFigures : public ReportOutput {
 STICKSLIP_VERIFIES(DrawnTitles, "U3");
 // Drawn by gnuplot itself, whatever its user has it do at its start.
 TEST(DrawnTitles, AreThoseThatAreAskedFor) {
-  const data::TemporaryFolder home;
+  const testing::InputFolder home;
   data::write_text(home.path() / ".gnuplot", "print 'hello'\nset label 1 'mine' at screen 0.5,0.5\n");
   const std::string old = std::getenv("HOME");
   ::setenv("HOME", home.path().c_str(), 1);

@@ -9,6 +9,7 @@
 #include "render/study_table.hpp"
 #include "stickslip/data/atomic_file.hpp"
 #include "stickslip/data/input_error.hpp"
+#include "support/input_folder.hpp"
 #include "support/requirements.hpp"
 #include "support/testing.hpp"
 
@@ -58,7 +59,7 @@ class ReportTemplates : public ::testing::Test {
     return testing::error_message_of<std::runtime_error>([&] { (void)filled_in(text); });
   }
 
-  const data::TemporaryFolder temporary_;
+  const testing::InputFolder temporary_;
   const fs::path folder_ = temporary_.path();
   const fs::path templates_ = folder_ / "templates";
 };

@@ -31,12 +31,6 @@ struct History {
   std::vector<double> force, displacement;
 };
 
-double largest(const std::vector<double>& values) {
-  double maximum = 0.0;
-  for (const double value : values) maximum = std::max(maximum, std::abs(value));
-  return maximum;
-}
-
 // f and u(L/2) by the plain loop.
 History plain_history(const data::Beam& beam, const data::HarmonicExcitation& excitation,
                       const data::NumericalSettings& numerics, InitialVelocity initial_velocity, long steps) {

@@ -21,10 +21,6 @@ namespace {
 using analytic::BeamBoundaryIntegral;
 using analytic::TimeGrid;
 
-double largest(const std::vector<double>& values) {
-  return std::abs(*std::ranges::max_element(values, {}, [](double value) { return std::abs(value); }));
-}
-
 STICKSLIP_VERIFIES(BeamBoundaryIntegral, "D4");
 TEST(BeamBoundaryIntegral, HoldsTheTipInResonance) {
   // Means over steps are f at their middles times 1 - (Omega h)^2/24, and (omega_n h)^2/24 for the n-th mode.

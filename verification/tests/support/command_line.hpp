@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "stickslip/data/atomic_file.hpp"
+#include "support/input_folder.hpp"
 #include "support/testing.hpp"
 
 namespace stickslip::cli {  // of program.hpp and answer.hpp, which not every test has
@@ -126,7 +127,7 @@ class CommandLine : public ::testing::Test {
 
  private:
   const std::filesystem::path old_folder_ = std::filesystem::current_path();
-  const data::TemporaryFolder folder_;
+  const InputFolder folder_;
 };
 
 /// The cells of a table, without its comments.

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <functional>
 #include <limits>
 #include <sstream>
 #include <string>
@@ -48,6 +49,14 @@ inline Tolerance discretisation(double predicted_error, double margin, const std
 /// Reference: the accuracy that is recorded with the datum.
 inline Tolerance reference(double accuracy, const std::string& source) {
   return {accuracy, "reference", "accuracy of " + source};
+}
+
+/// The largest |item|, or |function(item)|, or NaN if one of them is. The function may be a member.
+template <class Range, class Function = std::identity>
+double largest(const Range& items, const Function& function = {}) {
+  double found = 0.0;
+  for (const auto& item : items) found = largest_or_nan({found, std::abs(std::invoke(function, item))});
+  return found;
 }
 
 /// |computed - expected| <= tolerance, and neither is NaN. The comparison is recorded for the traceability matrix; a failure says the
