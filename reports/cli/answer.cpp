@@ -81,6 +81,15 @@ Value estimated(const studies::Estimate& estimate, int decimals) {
                    fmt::format("{0:.{3}f} ({1:.{3}f} ... {2:.{3}f})", value, lower, upper, decimals));
 }
 
+namespace {
+
+// With blanks to the width of its column, one at least.
+std::string padded(std::string_view text, std::size_t width) {
+  return fmt::format("{:<{}}", text, std::max(width, text.size() + 1));
+}
+
+}  // namespace
+
 Value word(std::string_view text) { return {text, std::string(text)}; }
 
 Value count(std::size_t number) { return {number, std::to_string(number)}; }
@@ -102,7 +111,7 @@ std::string Table::text(bool with_headers) const {
   std::string text;
   for (const auto& line : lines) {
     std::string cells;
-    for (std::size_t i = 0; i < line.size(); ++i) cells += fmt::format("{:<{}}", line[i], widths[i]);
+    for (std::size_t i = 0; i < line.size(); ++i) cells += padded(line[i], widths[i]);
     text += without_blanks_at_the_end(cells) + "\n";
   }
   return text;
@@ -141,8 +150,8 @@ void Answer::add_row(const LabelledValue& row) {
 }
 
 void Answer::add_row(std::string_view label, const std::vector<std::string>& values) {
-  std::string line = fmt::format("{:<{}}", label, label_width);
-  for (const std::string& value : values) line += fmt::format("{:<{}}", value, value_width);
+  std::string line = padded(label, label_width);
+  for (const std::string& value : values) line += padded(value, value_width);
   add_line(without_blanks_at_the_end(line));
 }
 
