@@ -141,13 +141,14 @@ std::vector<double> held_displacement(const data::Beam& beam, const data::Harmon
 }
 
 BeamBoundaryIntegral::BeamBoundaryIntegral(const data::Case& problem, const TimeGrid& grid, int stages)
-    : beam_(problem.beam),
-      excitation_(problem.excitation),
+    : beam_(problem.beam()),
+      excitation_(problem.excitation()),
       damping_(problem.damping),
       grid_(grid),
       stages_(stages) {
   require_compression(beam_);
-  const ContactLaw law{beam_.axial_force(), problem.friction, problem.contact, grid.time_step};
+  const ContactLaw law{beam_.axial_force(), problem.contact.friction, problem.contact.compliance,
+                       grid.time_step};
   require_unique_step(law, 0.0);  // what is refused without the weights, which take long
   const TipMobility mobility(beam_, damping_);
   holding_force_ = holding_force(beam_, excitation_, damping_, grid);

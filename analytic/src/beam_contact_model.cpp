@@ -98,8 +98,8 @@ BeamContactModel::BeamContactModel(const data::Beam& beam, const data::FrictionL
 }
 
 BeamContactModel::BeamContactModel(const data::Case& problem, int modes)
-    : BeamContactModel(problem.beam, problem.friction, problem.excitation, problem.damping, modes,
-                       problem.wall) {}
+    : BeamContactModel(problem.beam(), problem.contact.friction, problem.excitation(), problem.damping, modes,
+                       problem.contact.wall) {}
 
 void BeamContactModel::add_damping(const data::Beam& beam, const data::Damping& damping, const Matrix& mass) {
   const std::size_t m = modes_.size();

@@ -123,14 +123,14 @@ constexpr std::array all{
 }  // namespace key_table
 
 CaseNumbers numbers_in(const Case& problem) {
-  return {.beam = problem.beam.properties(),
-          .friction = problem.friction.coefficients(),
-          .excitation = problem.excitation.motion(),
+  return {.beam = problem.beam().properties(),
+          .friction = problem.contact.friction.coefficients(),
+          .excitation = problem.excitation().motion(),
           .numerics = problem.numerics.choices(),
-          .damping = {problem.damping.kelvin_voigt(), problem.damping.ratio()},
-          .contact = problem.contact.properties(),
+          .damping = problem.damping.properties(),
+          .contact = problem.contact.compliance.properties(),
           .section = problem.section,
-          .wall_speed = problem.wall.speed()};
+          .wall_speed = problem.contact.wall.speed()};
 }
 
 // Whether a case has the number: not every section has every side.
@@ -177,13 +177,13 @@ const Key& key_named(std::string_view path) {
 
 Case case_of(const std::string& name, const CaseNumbers& numbers) {
   return {.name = printable(name, 255),  // that of a file, which may hold anything
-          .beam = Beam(numbers.beam),
-          .friction = FrictionLaw(numbers.friction),
-          .excitation = HarmonicExcitation(numbers.excitation),
+          .structure = Beam(numbers.beam),
+          .motion = HarmonicExcitation(numbers.excitation),
+          .contact = {.friction = FrictionLaw(numbers.friction),
+                      .compliance = TangentialContact(numbers.contact),
+                      .wall = Wall(numbers.wall_speed)},
           .numerics = NumericalSettings(numbers.numerics),
           .damping = Damping(numbers.damping),
-          .contact = TangentialContact(numbers.contact),
-          .wall = Wall(numbers.wall_speed),
           .section = numbers.section};
 }
 
@@ -192,7 +192,7 @@ std::map<std::string, double> numbers_of(const Case& problem) {
   std::map<std::string, double> numbers;
   for (const Key& key : key_table::all)
     if (has(all, key) &&
-        (key.presence != Presence::alternative || &key == &stated_amplitude(problem.excitation)))
+        (key.presence != Presence::alternative || &key == &stated_amplitude(problem.excitation())))
       numbers.emplace(key.path, key.member.get(all));
   return numbers;
 }

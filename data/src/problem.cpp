@@ -188,4 +188,26 @@ NumericalSettings::NumericalSettings(const NumericalChoices& choices) : choices_
                      "at most a billion times numerics.time_step, which is " + shortest_text(time_step()));
 }
 
+bool Case::has(Feature feature) const noexcept {
+  switch (feature) {
+    case Feature::kelvin_voigt:
+      return damping.kelvin_voigt() > 0.0;
+    case Feature::damping_ratio:
+      return damping.ratio() > 0.0;
+    case Feature::yielding_contact:
+      return !contact.compliance.is_rigid();
+    case Feature::moving_wall:
+      return contact.wall.speed() != 0.0;
+    case Feature::shear:
+      return beam().shear_stiffness() > 0.0;
+    case Feature::fixed_axial_force:
+      return beam().axial_direction() > 0.0;
+    case Feature::slip:
+    case Feature::start_at_rest:
+    case Feature::contact_scheme:
+      return false;
+  }
+  return false;
+}
+
 }  // namespace stickslip::data

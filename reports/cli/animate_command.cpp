@@ -32,7 +32,7 @@ std::string no_other_film(const std::string& name) {
 
 // With the duration that is drawn.
 data::Case case_of(const AnimateOptions& options) {
-  const double hz = load_case(options.problem).excitation.frequency_hz();
+  const double hz = load_case(options.problem).excitation().frequency_hz();
   auto overrides = overrides_of(options.problem);
   overrides.insert(overrides.begin(), override_with("excitation.duration", periods / hz, ""));
   return data::load_case(options.problem.name, overrides);

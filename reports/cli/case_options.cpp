@@ -74,7 +74,8 @@ data::Case load_case(const CaseOptions& options, const std::vector<data::Overrid
   overrides.insert(overrides.end(), more.begin(), more.end());
   data::Case problem = data::load_case(options.name, overrides);
   if (!options.rigid_for.empty())
-    data::require_rigid(problem.contact, fmt::format("the command {}; respond takes it", options.rigid_for));
+    data::require_rigid(problem.contact.compliance,
+                        fmt::format("the command {}; respond takes it", options.rigid_for));
   return problem;
 }
 
@@ -125,8 +126,8 @@ std::string length_text(double metres) {
 std::string section_text(const data::Case& problem) {
   const data::Section& section = problem.section;
   if (!section.is_given())
-    return fmt::format(", A = {:.5g} mm^2, I = {:.5g} mm^4", 1e6 * problem.beam.area(),
-                       1e12 * problem.beam.second_moment_of_area());
+    return fmt::format(", A = {:.5g} mm^2, I = {:.5g} mm^4", 1e6 * problem.beam().area(),
+                       1e12 * problem.beam().second_moment_of_area());
   if (std::isnan(section.diameter))
     return fmt::format(" x {} x {}", length_text(section.width), length_text(section.height));
   return fmt::format(
@@ -145,24 +146,25 @@ std::string material_text(const data::Beam& beam) {
 }  // namespace
 
 std::string beam_line(const data::Case& problem) {
-  const data::Beam& beam = problem.beam;
+  const data::Beam& beam = problem.beam();
   const double share = 100.0 * beam.axial_force() / analytic::stick_buckling_load(beam);
   return fmt::format("{}: {}{}, {}, P = {:.6g} N ({}), mu {:.4g}/{:.4g}\n", problem.name,
                      length_text(beam.length()), section_text(problem), material_text(beam),
                      beam.axial_force(), share < 0.0 ? "tension" : fmt::format("{:.3g} % of buckling", share),
-                     problem.friction.static_coefficient(), problem.friction.kinetic_coefficient());
+                     problem.contact.friction.static_coefficient(),
+                     problem.contact.friction.kinetic_coefficient());
 }
 
 ShownAmplitude shown_amplitude(const data::Case& problem) {
-  const data::Key& key = data::stated_amplitude(problem.excitation);
-  if (problem.excitation.motion().amplitude_of == data::AmplitudeOf::displacement)
+  const data::Key& key = data::stated_amplitude(problem.excitation());
+  if (problem.excitation().motion().amplitude_of == data::AmplitudeOf::displacement)
     return {key.magnitudes.unit, 1.0, key.axis.column};
   return {key.axis.unit(), key.axis.scale, key.axis.column};
 }
 
 void add_excitation(Answer& answer, const data::Case& problem,
                     const std::optional<analytic::FrequencyBand>& band) {
-  const auto& excitation = problem.excitation;
+  const auto& excitation = problem.excitation();
   const bool falls = band && excitation.unit_amplitude() != 1.0;
   answer.add_members(band ? Json{{"band_hz", {band->from_hz, band->to_hz}}}
                           : Json{{"frequency_hz", excitation.frequency_hz()}});
@@ -175,11 +177,11 @@ std::string conditions_of(const data::Case& problem, const std::optional<analyti
   const auto text = data::shortest_text;
   const auto [unit, scale, column] = shown_amplitude(problem);
   std::string amplitude =
-      fmt::format("{} {}", exact(scale * problem.excitation.motion().amplitude).text, unit);
-  if (unit != "m" && !band) amplitude += fmt::format(" ({} m)", exact(problem.excitation.amplitude()).text);
+      fmt::format("{} {}", exact(scale * problem.excitation().motion().amplitude).text, unit);
+  if (unit != "m" && !band) amplitude += fmt::format(" ({} m)", exact(problem.excitation().amplitude()).text);
   return fmt::format(
       "{} Hz, {}, 0 to {} s",
-      band ? text(band->from_hz) + " to " + text(band->to_hz) : text(problem.excitation.frequency_hz()),
+      band ? text(band->from_hz) + " to " + text(band->to_hz) : text(problem.excitation().frequency_hz()),
       amplitude, text(problem.numerics.duration()));
 }
 
@@ -204,8 +206,8 @@ Json problem_json(const data::Case& problem) {
     if (const auto found = numbers.find(std::string(key.path)); found != numbers.end())
       tables[std::string(key.table())][std::string(key.name())] =
           key.member.is_integer ? Json(static_cast<int>(found->second)) : finite_json(found->second);
-  tables["excitation"]["amplitude"] = problem.excitation.amplitude();
-  tables["excitation"]["stated_as"] = data::stated_amplitude(problem.excitation).name();
+  tables["excitation"]["amplitude"] = problem.excitation().amplitude();
+  tables["excitation"]["stated_as"] = data::stated_amplitude(problem.excitation()).name();
   return tables;
 }
 

@@ -29,12 +29,12 @@ std::vector<LabelledValue> rows_of(const data::Case& problem, const analytic::Cr
       {"", "critical_amplitude_m", middle(criterion.critical_amplitude)},
       {"critical amplitude / m", "critical_amplitude_bounds_m", between(criterion.critical_amplitude)}};
   if (const auto [unit, scale, column] = shown_amplitude(problem); unit != "m") {
-    const auto stated = 1.0 / problem.excitation.unit_amplitude() * criterion.critical_amplitude;
+    const auto stated = 1.0 / problem.excitation().unit_amplitude() * criterion.critical_amplitude;
     rows.push_back({fmt::format("critical amplitude / {}", unit),
                     fmt::format("critical_{}", column),
                     {middle(stated).json, common_digits(scale * stated)}});
   }
-  if (problem.excitation.amplitude() > 0.0)
+  if (problem.excitation().amplitude() > 0.0)
     rows.push_back({"margin mu_s P / |f|", "", between(studies::margin_of(criterion))});
   rows.push_back({"verdict", "verdict", word(to_string(criterion.verdict))});
   return rows;
@@ -42,7 +42,7 @@ std::vector<LabelledValue> rows_of(const data::Case& problem, const analytic::Cr
 
 // Both criteria side by side in the text, and one after the other in JSON.
 void add_criteria(Answer& answer, const data::Case& problem, const studies::CriterionAnswer& found) {
-  const bool has_margin = problem.excitation.amplitude() > 0.0;
+  const bool has_margin = problem.excitation().amplitude() > 0.0;
   const auto truncated = rows_of(problem, found.truncated), all = rows_of(problem, found.all_modes);
   answer.add_row("", {fmt::format("{} modes", problem.numerics.modes()), "all modes"});
   Answer all_modes;
@@ -108,8 +108,8 @@ Answer answer_of(const data::Case& problem, const studies::CriterionAnswer& foun
   answer.add_line(conditions_of(problem) + (is_damped ? ", with damping\n" : "\n"));
   add_criteria(answer, problem, found);
   add_steady_state(answer, found.steady, problem.numerics.duration());
-  add_outlook(answer, found, problem.excitation.frequency_hz());
-  if (found.bending) add_bending(answer, problem.beam, *found.bending, found.steady_draw_back);
+  add_outlook(answer, found, problem.excitation().frequency_hz());
+  if (found.bending) add_bending(answer, problem.beam(), *found.bending, found.steady_draw_back);
   answer.add_line(fmt::format("\nThe largest |f| is that of a start-up {}.",
                               is_damped ? "whose free vibrations decay with the damping of the case"
                                         : "without damping: its free vibrations do not decay"));
@@ -120,7 +120,7 @@ std::vector<std::string> warnings_about(const data::Case& problem, analytic::Ver
                                         const std::optional<studies::Bending>& bending) {
   auto warnings = warnings_of(problem, studies::Inquiry::criterion);
   if (bending)
-    if (const auto warning = studies::draw_back_warning(problem.beam, bending->draw_back))
+    if (const auto warning = studies::draw_back_warning(problem.beam(), bending->draw_back))
       warnings.push_back(*warning);
   if (verdict != analytic::Verdict::stick)
     if (const auto unstable = studies::instability_warning(problem)) warnings.push_back(unstable->sentence);
@@ -129,7 +129,7 @@ std::vector<std::string> warnings_about(const data::Case& problem, analytic::Ver
 
 data::Case case_of(const CaseOptions& options, const std::vector<data::Override>& point = {}) {
   data::Case problem = load_case(options, point);
-  analytic::require_contact(problem.beam);
+  analytic::require_contact(problem.beam());
   studies::require_feasible(problem, studies::Inquiry::criterion);
   return problem;
 }
@@ -165,9 +165,9 @@ Answer table_of_cases(const CriterionOptions& options, Outputs& outputs) {
       for (const data::Override& key : point) row.push_back(word(key.value));
       row.insert(
           row.end(),
-          {exact(problem.excitation.frequency_hz()), exact(problem.excitation.amplitude()),
+          {exact(problem.excitation().frequency_hz()), exact(problem.excitation().amplitude()),
            middle(found.force_max), exact(found.friction_limit), middle(found.critical_amplitude),
-           problem.excitation.amplitude() > 0.0 ? middle(studies::margin_of(found)) : Value{nullptr, "-"},
+           problem.excitation().amplitude() > 0.0 ? middle(studies::margin_of(found)) : Value{nullptr, "-"},
            word(to_string(found.verdict)), exact(found.force_max.lower), exact(found.force_max.upper),
            steady_force(studies::steady_state(problem))});
       for (const std::string& warning :

@@ -112,9 +112,9 @@ Answer answer_of(const data::Case& problem, const studies::Design& design) {
   answer.add_row(
       {"natural frequencies in the band", "natural_frequencies_in_band", resonances_of(resonances)});
   const bool is_one_frequency = design.band.from_hz == design.band.to_hz;
-  add_scan(answer, fmt::format("length / m at P = {} N", data::shortest_text(problem.beam.axial_force())),
+  add_scan(answer, fmt::format("length / m at P = {} N", data::shortest_text(problem.beam().axial_force())),
            "lengths_m", design.lengths, is_one_frequency);
-  add_scan(answer, fmt::format("axial force / N at L = {} m", data::shortest_text(problem.beam.length())),
+  add_scan(answer, fmt::format("axial force / N at L = {} m", data::shortest_text(problem.beam().length())),
            "axial_forces_N", design.forces, is_one_frequency);
   answer.add_line(fmt::format("\n{}", guarantee));
   return answer;
@@ -122,10 +122,10 @@ Answer answer_of(const data::Case& problem, const studies::Design& design) {
 
 Answer design(const DesignOptions& options, Outputs& outputs) {
   data::Case problem = load_case(options.problem);
-  analytic::require_contact(problem.beam);
+  analytic::require_contact(problem.beam());
   const Ranges ranges = ranges_of(problem, options);
   problem.numerics = numerics_up_to(ranges.band.upper, options.problem);
-  for (const double length : {problem.beam.length(), ranges.lengths.lower})
+  for (const double length : {problem.beam().length(), ranges.lengths.lower})
     studies::require_feasible(at_the_end_of(problem, ranges.band, length), studies::Inquiry::design);
   outputs.about(problem);
   outputs.open({});
@@ -135,7 +135,7 @@ Answer design(const DesignOptions& options, Outputs& outputs) {
       [&](std::string_view stage) { progress.stage(stage); }, std::ref(progress));
   Answer answer = answer_of(problem, found);
   answer.warnings =
-      warnings_of(at_the_end_of(problem, ranges.band, problem.beam.length()), studies::Inquiry::design);
+      warnings_of(at_the_end_of(problem, ranges.band, problem.beam().length()), studies::Inquiry::design);
   if (found.margin.margin.lower < 1.0)
     if (const auto unstable = studies::instability_warning(problem)) add_warning(answer, unstable->sentence);
   return answer;

@@ -139,7 +139,7 @@ void HistoryOutput::add(const studies::HistoryRow& row, long step) {
   time_ = row.time;
   largest_force_ = std::max(largest_force_, std::abs(row.friction_force));
   largest_deflection_ = std::max(largest_deflection_, std::abs(row.tip_displacement - row.base_displacement));
-  if (!row.displacement.empty()) bending_.include(row, problem_.beam.length());
+  if (!row.displacement.empty()) bending_.include(row, problem_.beam().length());
   const long taken = taken_++;
   const bool is_row = taken % (row_step_ / step) == 0;
   if (is_row || taken % between_looks == 0) (*progress_)(row.time / problem_.numerics.duration());

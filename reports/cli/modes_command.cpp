@@ -34,10 +34,10 @@ std::string drawing(const data::Case& problem, const ModesOptions& options,
                     const std::vector<studies::EstimatedFrequency>& frequencies, const report::Look& look) {
   constexpr int intervals = 400;
   std::vector<double> points;
-  for (int i = 0; i <= intervals; ++i) points.push_back(problem.beam.length() * i / intervals);
+  for (int i = 0; i <= intervals; ++i) points.push_back(problem.beam().length() * i / intervals);
   auto rows = options.is_mesh()
                   ? studies::mesh_shapes(problem, options.tip(), options.count, points)
-                  : studies::closed_form_shapes(problem.beam, options.tip(), options.count, points);
+                  : studies::closed_form_shapes(problem.beam(), options.tip(), options.count, points);
   std::string columns = "x [m]";
   for (std::size_t n = 0; n < frequencies.size(); ++n)
     columns += fmt::format(", {}: {:.6g} Hz [1]", n + 1, frequencies[n].hz);
@@ -79,9 +79,9 @@ Answer modes(const ModesOptions& options, Outputs& outputs) {
   outputs.open({{"--figure", options.figure}});
   if (outputs.has("--figure") && options.count > most_drawn)
     throw data::FieldError("--count", options.count, fmt::format("at most {} with --figure", most_drawn));
-  const auto frequencies = options.is_mesh()
-                               ? studies::mesh_frequencies(problem, options.tip(), options.count)
-                               : studies::closed_form_frequencies(problem.beam, options.tip(), options.count);
+  const auto frequencies =
+      options.is_mesh() ? studies::mesh_frequencies(problem, options.tip(), options.count)
+                        : studies::closed_form_frequencies(problem.beam(), options.tip(), options.count);
   Answer answer = answer_of(problem, options, frequencies);
   answer.warnings = warnings_of(
       problem,

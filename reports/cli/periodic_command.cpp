@@ -61,7 +61,7 @@ std::vector<LabelledValue> rows_of(const studies::Cycle& cycle) {
 
 Answer periodic_motion(const PeriodicOptions& options, Outputs& outputs) {
   const data::Case problem = load_case(options.problem);
-  if (options.periods > 1 && problem.excitation.amplitude() == 0.0)
+  if (options.periods > 1 && problem.excitation().amplitude() == 0.0)
     throw data::FieldError("--periods", options.periods, "1 where excitation.amplitude is 0: the base rests");
   const auto inquiry = studies::Inquiry::event_driven_history;
   studies::require_feasible(problem, inquiry);

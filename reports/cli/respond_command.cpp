@@ -48,11 +48,11 @@ Answer answer_of(const data::Case& problem, const RespondOptions& options, const
                   output.row_step() > 1 ? fmt::format(", one in {} time steps", output.row_step()) : ""));
   answer.add_line(fmt::format("largest |f| {:.4g} N, largest deflection of the tip {:.4g} m; {}",
                               output.largest_force(), output.largest_deflection(),
-                              problem.contact.is_smooth() ? "a smooth law slips all the time"
+                              problem.contact.compliance.is_smooth() ? "a smooth law slips all the time"
                               : history.first_slip
                                   ? fmt::format("first slip at {:.6g} s", *history.first_slip)
                                   : "no slip"));
-  if (output.bending().deflection > 0.0) add_bending(answer, problem.beam, output.bending());
+  if (output.bending().deflection > 0.0) add_bending(answer, problem.beam(), output.bending());
   return answer;
 }
 
@@ -77,7 +77,7 @@ Answer respond(const RespondOptions& options, Outputs& outputs) {
   const long step = method.in_time_steps ? 1 : studies::look_step(problem, output.row_step());
   studies::Sampling sampling{.every = step};
   if (method.name != "boundary-integral") {  // each position would take it half of its time again
-    sampling.positions = studies::Bending::positions(problem.beam.length());
+    sampling.positions = studies::Bending::positions(problem.beam().length());
     sampling.positions_every = studies::usual_row_step(problem, problem.numerics.duration());
   }
   const auto history =
@@ -91,8 +91,8 @@ Answer respond(const RespondOptions& options, Outputs& outputs) {
                 fmt::format("--scheme {} is a comparison: changes of contact come up to a step late, and "
                             "forces and changes may be far off; located is the scheme for results",
                             *options.scheme));
-  add_warning(answer, studies::deflection_warning(problem.beam, output.largest_deflection()));
-  add_warning(answer, studies::draw_back_warning(problem.beam, output.bending().draw_back));
+  add_warning(answer, studies::deflection_warning(problem.beam(), output.largest_deflection()));
+  add_warning(answer, studies::draw_back_warning(problem.beam(), output.bending().draw_back));
   if (choices.initial_velocity == solver::InitialVelocity::zero)
     add_warning(answer, std::string("--initial-velocity zero starts with a blow of the base: the largest |f| "
                                     "just after it grows with the modes or elements without a limit, so that "
@@ -102,7 +102,7 @@ Answer respond(const RespondOptions& options, Outputs& outputs) {
                                     "and leaks into all lines: the window has {} periods of the base; from 8 "
                                     "on, a duration of {} s, a flat-top window takes its place",
                                     100.0 * output.spectrum().leak, output.window()->periods,
-                                    data::shortest_text(16.0 / problem.excitation.frequency_hz())));
+                                    data::shortest_text(16.0 / problem.excitation().frequency_hz())));
   return answer;
 }
 

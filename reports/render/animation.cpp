@@ -72,13 +72,13 @@ CsvTable table_of(const std::string& title, const studies::History& motion,
 // What the script needs to keep the axes of all frames alike.
 std::vector<FigureData::Value> values_of(const data::Case& problem, const studies::History& motion) {
   const double limit = studies::friction_limit(problem);
-  const data::KeyAxis& stated = data::stated_amplitude(problem.excitation).axis;
+  const data::KeyAxis& stated = data::stated_amplitude(problem.excitation()).axis;
   double largest_force = limit;
   for (const auto& row : motion.rows) largest_force = std::max(largest_force, std::abs(row.friction_force));
   return {{"points", positions, "1"},
-          {"length", problem.beam.length(), "m"},
-          {"hz", problem.excitation.frequency_hz(), "Hz"},
-          {"amplitude", stated.scale * problem.excitation.motion().amplitude, std::string(stated.unit())},
+          {"length", problem.beam().length(), "m"},
+          {"hz", problem.excitation().frequency_hz(), "Hz"},
+          {"amplitude", stated.scale * problem.excitation().motion().amplitude, std::string(stated.unit())},
           {"amplitude_unit", 0.0, "-", std::string(stated.unit())},
           {"force_limit", limit, "N"},
           {"largest_force", largest_force, "N"},

@@ -126,8 +126,8 @@ std::string draw(const CsvTable& table, const studies::CriterionMap& map, const 
 }
 
 std::string draw(const data::Case& problem, const studies::CriticalAmplitudeCurve& curve, const Look& look) {
-  const data::Key& stated = data::stated_amplitude(problem.excitation);
-  const data::HarmonicMotion& motion = problem.excitation.motion();
+  const data::Key& stated = data::stated_amplitude(problem.excitation());
+  const data::HarmonicMotion& motion = problem.excitation().motion();
   CsvTable table("Critical amplitude of the case " + problem.name,
                  fmt::format("frequency [Hz], critical_amplitude [{}]", stated.magnitudes.unit));
   CsvTable marks("Natural frequencies of the stick state", "frequency [Hz]");

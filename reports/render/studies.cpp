@@ -55,7 +55,8 @@ STICKSLIP_MEMBERS(ContactEvent, (change, "-"), (time, "s"), (position, "m"))
 STICKSLIP_MEMBERS(HarmonicExcitation, (frequency_hz(), "Hz"), (amplitude(), "m"))
 STICKSLIP_MEMBERS(NumericalSettings, (elements(), "1"), (time_step(), "s"), (spectral_radius(), "1"),
                   (velocity_threshold(), "m/s"), (modes(), "1"), (duration(), "s"))
-STICKSLIP_MEMBERS(Case, (beam), (friction), (excitation), (numerics))
+STICKSLIP_MEMBERS(Contact, (friction))
+STICKSLIP_MEMBERS(Case, (beam()), (contact), (excitation()), (numerics))
 STICKSLIP_MEMBERS(PrintedNumber, (id, "-"), (value), (unit, "-"), (printed, "-"), (printed_unit, "-"),
                   (place, "-"), (meaning, "-"))
 }  // namespace stickslip::data
@@ -195,25 +196,25 @@ constexpr int shown_modes = 3;
 const std::vector<int> meshes{4, 6, 8, 12, 16, 24, 32};
 
 const Study stick_frequencies("stick_frequencies", "frequencies of the stick state", [](Results& r) {
-  return studies::stick_frequency_study(r.paper.beam, shown_modes, meshes);
+  return studies::stick_frequency_study(r.paper.beam(), shown_modes, meshes);
 });
 const Study slip_frequencies("slip_frequencies", "frequencies of the slip state", [](Results& r) {
-  return studies::slip_frequency_study(r.paper.beam, shown_modes, meshes);
+  return studies::slip_frequency_study(r.paper.beam(), shown_modes, meshes);
 });
 const Study half_stiffness_frequencies("half_stiffness_frequencies",
                                        "natural frequencies at half the stiffness", [](Results& r) {
-                                         return studies::stick_frequency_study(r.half_stiffness.beam,
+                                         return studies::stick_frequency_study(r.half_stiffness.beam(),
                                                                                shown_modes, meshes);
                                        });
 
 const Study flutter("flutter", "flutter load", [](Results& r) {
-  return studies::flutter_study(r.paper.beam, {4, 8, 16, 32});
+  return studies::flutter_study(r.paper.beam(), {4, 8, 16, 32});
 });
 
 constexpr int points_per_element = 10;
 const Study mode_shapes("mode_shapes", "mode shapes (Fig. 7)", [](Results& r) {
   const int elements = r.paper.numerics.elements();
-  return studies::mode_shape_study(r.paper.beam, shown_modes, elements, points_per_element * elements + 1);
+  return studies::mode_shape_study(r.paper.beam(), shown_modes, elements, points_per_element * elements + 1);
 });
 
 const Study time_orders("time_orders", "orders of the time integration", [](Results& /*r*/) {
@@ -224,7 +225,7 @@ const Study time_orders("time_orders", "orders of the time integration", [](Resu
 });
 
 const Study manufactured_solution("manufactured_solution", "manufactured solutions", [](Results& r) {
-  return studies::manufactured_solution_study(r.paper.beam);
+  return studies::manufactured_solution_study(r.paper.beam());
 });
 
 const Study stick_history("stick_history", "stick-state histories under refinement (Fig. 9)", [](Results& r) {
@@ -277,7 +278,7 @@ const Study force_surface("force_surface", "largest forces (Fig. 10)", [](Result
 });
 
 const Study friction_curve("friction_curve", "friction law (Fig. 2)", [](Results& r) {
-  return studies::friction_curve(r.paper.friction, r.paper.beam.axial_force());
+  return studies::friction_curve(r.paper.contact.friction, r.paper.beam().axial_force());
 });
 
 const Study searches("searches", "critical amplitudes by the paper's procedure (Fig. 6)", [](Results& r) {
@@ -319,7 +320,7 @@ const Study rig("rig", "what a rig should measure",
 const Study converged_histories("converged_histories", "converged histories", [](Results& r) {
   std::vector<studies::ConvergedHistory> converged;
   for (const auto& history : r(contact_histories))
-    if (history.converged && history.amplitude == r.damped.excitation.amplitude())
+    if (history.converged && history.amplitude == r.damped.excitation().amplitude())
       converged.push_back(*history.converged);
   return converged;
 });
@@ -375,11 +376,11 @@ const Study energy_audits("energy_audits", "energy balance", [](Results& r) {
                                  {2e-5, 1e-5, 5e-6, 2.5e-6, 1.25e-6, 6.25e-7});
   };
   return std::vector{audit(r.damped, {10}),
-                     audit(undamped_at(r, r.damped.excitation.frequency_hz()), {5, 10, 20})};
+                     audit(undamped_at(r, r.damped.excitation().frequency_hz()), {5, 10, 20})};
 });
 
 const Study schemes("schemes", "contact schemes", [](Results& r) {
-  return studies::compare_schemes(with(with_duration(r.paper, shown_duration), r.damped.excitation));
+  return studies::compare_schemes(with(with_duration(r.paper, shown_duration), r.damped.excitation()));
 });
 
 const Study beam_motions("beam_motions", "motions of the whole beam (Fig. 3)", [](Results& r) {
@@ -405,7 +406,7 @@ const Study solution_verification("solution_verification", "grid convergence of 
 // The section of Fig. 14 over a band around its frequency.
 const Study design_example("design_example", "lengths and forces that avoid slipping", [](Results& r) {
   const data::Case& problem = r.flat_section;
-  const double hz = problem.excitation.frequency_hz();
+  const double hz = problem.excitation().frequency_hz();
   const analytic::FrequencyBand band{hz - 1.0, hz + 1.0};
   const auto scan = [&](std::string_view parameter, double from, double to) {
     return studies::design_scan(problem, parameter,
@@ -461,27 +462,27 @@ FigureData figure(const std::string& name, CsvTable table, std::vector<FigureDat
 
 // A sketch with the numbers of the case.
 FigureData figure1(Results& r) {
-  const data::BeamProperties beam = r.paper.beam.properties();
+  const data::BeamProperties beam = r.paper.beam().properties();
   return {{},
           {{"length", beam.length, "m"},
            {"axial_force", beam.axial_force, "N"},
            {"stiffness", beam.youngs_modulus * beam.second_moment_of_area, "N m^2"},
            {"mass", beam.density * beam.area, "kg/m"},
-           {"static_coefficient", r.paper.friction.static_coefficient(), "1"},
-           {"kinetic_coefficient", r.paper.friction.kinetic_coefficient(), "1"},
-           {"decay", r.paper.friction.decay(), "s/m"},
+           {"static_coefficient", r.paper.contact.friction.static_coefficient(), "1"},
+           {"kinetic_coefficient", r.paper.contact.friction.kinetic_coefficient(), "1"},
+           {"decay", r.paper.contact.friction.decay(), "s/m"},
            {"limit", studies::friction_limit(r.paper), "N"}}};
 }
 
 FigureData figure2(Results& r) {
-  const data::FrictionLaw& law = r.paper.friction;
+  const data::FrictionLaw& law = r.paper.contact.friction;
   const char* title =
       "Fig. 2: friction coefficient mu(v) of Eq. (7) and friction force f_d = -sgn(v) mu(v) P";
   return figure("fig2",
                 study_table(title, r(friction_curve), "sliding_velocity, coefficient, friction_force"),
                 {{"static_coefficient", law.static_coefficient(), "1"},
                  {"kinetic_coefficient", law.kinetic_coefficient(), "1"},
-                 {"axial_force", r.paper.beam.axial_force(), "N"}});
+                 {"axial_force", r.paper.beam().axial_force(), "N"}});
 }
 
 FigureData convergence(Results& r) {
@@ -792,11 +793,11 @@ FigureData rig_drawing(Results& r) {
       study_table(
           "First frequency with the tip free, and the accuracy that decides on the direction of the force",
           r(rig).frequencies, "length, load, following_hz, fixed_hz, accuracy"),
-      {{"beam_length", problem.beam.length(), "m"},
+      {{"beam_length", problem.beam().length(), "m"},
        {"section_width", data::value_of(problem, "section.width"), "m"},
        {"section_height", data::value_of(problem, "section.height"), "m"},
-       {"axial_force", problem.beam.axial_force(), "N"},
-       {"static_coefficient", problem.friction.static_coefficient(), "1"}});
+       {"axial_force", problem.beam().axial_force(), "N"},
+       {"static_coefficient", problem.contact.friction.static_coefficient(), "1"}});
 }
 
 }  // namespace

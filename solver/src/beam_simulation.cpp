@@ -136,28 +136,31 @@ BeamModel checked_model(const data::Beam& beam, int elements, TipContact contact
 }  // namespace
 
 BeamSimulation::BeamSimulation(const data::Case& problem, const BeamRun& run)
-    : model_(checked_model(problem.beam, problem.numerics.elements(), run.contact)),
-      base_(harmonic_motion(problem.excitation)) {
+    : model_(checked_model(problem.beam(), problem.numerics.elements(), run.contact)),
+      base_(harmonic_motion(problem.excitation())) {
   const Coordinates coordinates = coordinates_of(problem, run);
   const IntegratorSettings settings = integrator_settings(problem.numerics, run, coordinates);
   const Eigen::VectorXd at_rest = Eigen::VectorXd::Zero(model_.degrees_of_freedom());
-  Eigen::VectorXd velocity = (problem.wall.speed() - base_.velocity(0.0)) * model_.unit_tip_deflection();
+  Eigen::VectorXd velocity =
+      (problem.contact.wall.speed() - base_.velocity(0.0)) * model_.unit_tip_deflection();
   if (run.initial_velocity == InitialVelocity::zero)
     velocity.head(model_.tip_deflection()).setZero(), velocity[model_.tip_rotation()] = 0.0;
-  ContactSystem system = beam_contact_system(model_, problem.friction, base_, problem.damping, problem.wall);
+  ContactSystem system =
+      beam_contact_system(model_, problem.contact.friction, base_, problem.damping, problem.contact.wall);
   if (coordinates == Coordinates::modal) {
     const HeldTipBasis basis = held_tip_basis(model_);
-    system = modal_contact_system(model_, basis, problem.friction, base_, problem.wall);
+    system = modal_contact_system(model_, basis, problem.contact.friction, base_, problem.contact.wall);
     basis_.resize(model_.degrees_of_freedom(), model_.degrees_of_freedom());
     basis_ << basis.modes, basis.static_shape;
     velocity = modal_coordinates(model_, basis, velocity);
   }
-  require_resolved_spring(problem.contact, problem.friction.static_coefficient() * system.normal_force,
-                          problem.excitation.amplitude());
-  system.tangential = problem.contact;
+  require_resolved_spring(problem.contact.compliance,
+                          problem.contact.friction.static_coefficient() * system.normal_force,
+                          problem.excitation().amplitude());
+  system.tangential = problem.contact.compliance;
   if (run.contact == TipContact::bonded) system.normal_force = bonding_force;
   integrator_ = std::make_unique<StickSlipIntegrator>(std::move(system), settings);
-  midspan_ = weights_at(0.5 * problem.beam.length());
+  midspan_ = weights_at(0.5 * problem.beam().length());
   integrator_->start_stuck(at_rest, velocity);
 }
 
@@ -186,7 +189,8 @@ double max_abs_friction_force(const data::Case& problem, Coordinates coordinates
   const BeamRun run{.contact = TipContact::bonded, .coordinates = coordinates};
   const long steps = step_count(problem.numerics.duration(), problem.numerics.time_step());
   if (coordinates_of(problem, run) == Coordinates::modal)
-    return ModalStickRun(problem.beam, problem.excitation, problem.numerics).max_abs_friction_force(steps);
+    return ModalStickRun(problem.beam(), problem.excitation(), problem.numerics)
+        .max_abs_friction_force(steps);
   BeamSimulation simulation(with(problem, data::FrictionLaw({}), data::TangentialContact(), data::Wall()),
                             run);
   double largest = std::abs(simulation.friction_force());
@@ -201,10 +205,10 @@ std::optional<double> first_slip(const data::Case& problem, Coordinates coordina
   const BeamRun run{.coordinates = coordinates};
   // The linear run, tens of times as fast, has the forces of these steps to rounding, far less than this margin.
   constexpr double margin = 1e-6;
-  if (problem.contact.is_rigid() && problem.wall.speed() == 0.0 &&
+  if (problem.contact.compliance.is_rigid() && problem.contact.wall.speed() == 0.0 &&
       coordinates_of(problem, run) == Coordinates::modal &&
       max_abs_friction_force(problem, Coordinates::modal) <
-          (1.0 - margin) * problem.friction.static_coefficient() * problem.beam.axial_force())
+          (1.0 - margin) * problem.contact.friction.static_coefficient() * problem.beam().axial_force())
     return std::nullopt;
   BeamSimulation simulation(problem, run);
   const auto& events = simulation.integrator().events();

@@ -303,7 +303,7 @@ data::Case flat_case() {
   properties.second_moment_of_area = 0.2 * 0.02 * 0.02 * 0.02 / 12.0;
   properties.length = 0.4;
   properties.axial_force = 5.0;
-  flat.beam = data::Beam(properties);
+  flat.structure = data::Beam(properties);
   return flat;
 }
 
@@ -321,7 +321,7 @@ void length_force_point(benchmark::State& state) {
   const data::Case flat = flat_case();
   int point = 0;
   for (auto _ : state) {
-    auto properties = flat.beam.properties();
+    auto properties = flat.beam().properties();
     properties.length = std::lerp(0.4, 2.0, 0.01 * (point % 97));
     properties.axial_force = 5.0 * std::pow(6600.0, 0.01 * (point % 89));
     ++point;

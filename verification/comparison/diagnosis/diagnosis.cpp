@@ -95,7 +95,7 @@ class Search {
     std::optional<data::Case> problem;
     ComparedValues values;
 
-    [[nodiscard]] const data::Beam* beam() const { return problem ? &problem->beam : nullptr; }
+    [[nodiscard]] const data::Beam* beam() const { return problem ? &problem->beam() : nullptr; }
   };
 
   // What is said of several groups, with the first of them.
@@ -563,7 +563,7 @@ class Search {
       if (is_of_timoshenko_beams()) {
         numbers["beam.axial_force"] = stated.numbers.at("axial_force");
         numbers["beam.shear_stiffness"] =
-            shear_stiffness(data::load_case(name).beam, stated.numbers.at("shear_coefficient"),
+            shear_stiffness(data::load_case(name).beam(), stated.numbers.at("shear_coefficient"),
                             stated.numbers.at("poisson_ratio"));
       }
       if (stated.tip == "friction" && numbers["damping.kelvin_voigt"] == 0.0) {
@@ -593,13 +593,13 @@ class Search {
     const ComparedValues& values = question.values;
     constexpr int finest = 40;
     constexpr double periods = 5.0;
-    const double step = 1.0 / (1600.0 * problem.excitation.frequency_hz());
+    const double step = 1.0 / (1600.0 * problem.excitation().frequency_hz());
     const bool is_held = reference_.resource.stated.tip == "held";
     solver::BeamSimulation run(
         with_value(problem, "numerics.time_step", step),
         {.contact = is_held ? solver::TipContact::bonded : solver::TipContact::friction});
     ComparedValues early = values;
-    const auto end = std::ranges::upper_bound(values.abscissa, periods / problem.excitation.frequency_hz());
+    const auto end = std::ranges::upper_bound(values.abscissa, periods / problem.excitation().frequency_hz());
     const auto count = static_cast<std::size_t>(end - values.abscissa.begin());
     for (auto* column : {&early.abscissa, &early.theirs, &early.reference}) column->resize(count);
     std::map<double, std::vector<double>> predicted;  // by x/L
@@ -608,7 +608,7 @@ class Search {
       for (int elements = 4; elements <= finest; elements += 2)
         for (const double side : {-1.0, 1.0}) {
           const double place = 0.5 + side / elements;
-          predicted[place].push_back(early.reference[i] + run.displacement(place * problem.beam.length()) -
+          predicted[place].push_back(early.reference[i] + run.displacement(place * problem.beam().length()) -
                                      run.midspan_displacement());
         }
     }
@@ -700,7 +700,8 @@ class Search {
   [[nodiscard]] double end_of(Quantity quantity, const data::Case& problem) const {
     const bool is_history = is_stick_slip_history(quantity) && reference_.resource.stated.tip != "held";
     const double periods = studies::is_damped(problem) ? 5.0 : 3.0;
-    return is_history ? periods / problem.excitation.frequency_hz() : std::numeric_limits<double>::infinity();
+    return is_history ? periods / problem.excitation().frequency_hz()
+                      : std::numeric_limits<double>::infinity();
   }
 
   [[nodiscard]] Observed observed(const Comparison::Quantity& compared, Quantity quantity,
@@ -708,7 +709,7 @@ class Search {
     const bool is_event = quantity == Quantity::contact_event;
     const bool is_slow = quantity == Quantity::force_maximum || quantity == Quantity::critical_amplitude;
     const auto seen = spread(
-        is_event ? seen_events() : seen_of(group, compared.name, end_of(quantity, problem), &problem.beam),
+        is_event ? seen_events() : seen_of(group, compared.name, end_of(quantity, problem), &problem.beam()),
         is_slow                ? 8
         : is_of_steady_state() ? 30
                                : 400);
@@ -723,12 +724,12 @@ class Search {
           (compared.norm == data::Norm::relative ? compared.tolerance * std::abs(right) : scale);
       if (is_slow) result.cases.push_back(case_of_row(problem, reference_row));
       if (is_force_ratio()) {
-        const double amplitude = result.cases.back().excitation.amplitude();
+        const double amplitude = result.cases.back().excitation().amplitude();
         uncertainty *= amplitude / (right * right);
         value = amplitude / value, right = amplitude / right;
       }
       result.abscissa.push_back(is_event             ? static_cast<double>(result.truth.size() + 1)
-                                : is_slow            ? result.cases.back().excitation.frequency_hz()
+                                : is_slow            ? result.cases.back().excitation().frequency_hz()
                                 : is_of_one_motion() ? reference_.column("time").values[reference_row]
                                 : is_of_steady_state()
                                     ? reference_.column("frequency").values[reference_row]

@@ -75,7 +75,7 @@ std::optional<data::Case> if_kelvin_voigt(const data::Case& problem) {
 // A rectangle of width b and depth d has A = b d and I = b d^3/12. About the other axis d b^3/12 = A^4/(144
 // I).
 std::optional<data::Case> about_the_other_axis(const data::Case& problem) {
-  const double area = problem.beam.area(), own = problem.beam.second_moment_of_area();
+  const double area = problem.beam().area(), own = problem.beam().second_moment_of_area();
   const double other = std::pow(area, 4) / (144.0 * own);
   if (std::abs(other / own - 1.0) < 1e-9) return std::nullopt;
   return with_value(problem, "beam.second_moment_of_area", other);
@@ -84,7 +84,8 @@ std::optional<data::Case> about_the_other_axis(const data::Case& problem) {
 // One coefficient of friction with the value of the other.
 Inputs with_coefficient_of(std::string_view changed, std::string_view other) {
   return [=](const data::Case& problem) -> std::optional<data::Case> {
-    if (problem.friction.static_coefficient() == problem.friction.kinetic_coefficient()) return std::nullopt;
+    if (problem.contact.friction.static_coefficient() == problem.contact.friction.kinetic_coefficient())
+      return std::nullopt;
     return with_value(problem, changed, value_of(problem, other));
   };
 }
@@ -92,11 +93,11 @@ Inputs with_coefficient_of(std::string_view changed, std::string_view other) {
 // With the printed sign -P/(2EI) in both wave numbers: tan(beta L) = tanh(beta L), which gives the modes of P
 // = 0, and k = beta^4 + p beta^2.
 void use_one_wave_number(StickSum& sum, const data::Case& problem) {
-  const data::Beam& beam = problem.beam;
+  const data::Beam& beam = problem.beam();
   const double p = beam.axial_force() / rigidity(beam);
   const data::Case unloaded = with_value(problem, "beam.axial_force", 0.0);
   const int count = static_cast<int>(sum.modes.size());
-  sum.modes = studies::stick_sum(unloaded.beam, count).modes;
+  sum.modes = studies::stick_sum(unloaded.beam(), count).modes;
   for (StickSum::Mode& mode : sum.modes) {
     const double beta_squared = mode.natural_frequency * std::sqrt(mass_per_length(beam) / rigidity(beam));
     mode.natural_frequency *= std::sqrt(1.0 + p / beta_squared);
@@ -206,7 +207,7 @@ void take_the_relative_displacement(const data::Case& problem, Quantity quantity
   const bool is_velocity =
       quantity == stick_velocity || quantity == tip_velocity || quantity == midspan_velocity;
   if (!is_displacement && !is_velocity) return;
-  const solver::PrescribedMotion base = solver::harmonic_motion(problem.excitation);
+  const solver::PrescribedMotion base = solver::harmonic_motion(problem.excitation());
   for (std::size_t i = 0; i < values.size(); ++i)
     values[i] -= (is_velocity ? base.velocity : base.displacement)(abscissa[i]);
 }
@@ -272,7 +273,7 @@ Recipes beam_mistakes() {
       {.wrong_model = {"dead-load", "P keeps its direction instead of following the tip", "Eq. (9)",
                        Quantities{slip_frequency} + held_force + stick_slip},
        .inputs = [](const data::Case& problem) -> std::optional<data::Case> {
-         if (problem.beam.axial_direction() == 1.0) return std::nullopt;
+         if (problem.beam().axial_direction() == 1.0) return std::nullopt;
          return with_value(problem, "beam.axial_direction", 1.0);
        }},
       {.wrong_model = {"follower-term-sign", "the term P u'(L) at the tip has the wrong sign", "Eq. (9)",
@@ -350,7 +351,7 @@ Recipes excitation_mistakes() {
        .inputs =
            [](const data::Case& problem) {
              return with_value(problem, "excitation.frequency_hz",
-                               problem.excitation.frequency_hz() / (2.0 * std::numbers::pi));
+                               problem.excitation().frequency_hz() / (2.0 * std::numbers::pi));
            }},
       {.wrong_model = {"cosine-for-sine", "the base moves by A0 cos(Omega t), a quarter of a period earlier",
                        "Sect. 3, excitation", held_motion + stick_slip},
@@ -419,7 +420,7 @@ Recipes response_mistakes() {
                        "|f_max| is searched in the first period of the excitation only",
                        "Sect. 5",
                        {force_maximum, critical_amplitude}},
-       .observed_for = [](const data::Case& problem) { return 1.0 / problem.excitation.frequency_hz(); }},
+       .observed_for = [](const data::Case& problem) { return 1.0 / problem.excitation().frequency_hz(); }},
       with_mesh_of("two-elements", "two", 2),
       with_mesh_of("four-elements", "four", 4),
   };
@@ -504,7 +505,7 @@ Recipes damping_mistakes() {
                        stick_slip},
        .inputs = [](const data::Case& problem) -> std::optional<data::Case> {
          if (problem.damping.kelvin_voigt() == 0.0) return std::nullopt;
-         const double omega = analytic::stick_modes(problem.beam, 1).front().angular_frequency();
+         const double omega = analytic::stick_modes(problem.beam(), 1).front().angular_frequency();
          return with(problem, data::Damping({.ratio = 0.5 * problem.damping.kelvin_voigt() * omega}));
        }},
   };

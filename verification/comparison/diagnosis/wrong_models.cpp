@@ -63,8 +63,8 @@ void require_abscissa(const data::Case& problem, Quantity quantity, const std::v
     if (counts(quantity))
       require(x >= 1.0 && x <= 1000.0 && x == std::floor(x), x, "a whole number from 1 to 1000");
     else if (quantity == quasi_static_shape)
-      require(x >= 0.0 && x <= problem.beam.length(), x,
-              fmt::format("a position from 0 to {} m", problem.beam.length()));
+      require(x >= 0.0 && x <= problem.beam().length(), x,
+              fmt::format("a position from 0 to {} m", problem.beam().length()));
     else if (quantity == force_maximum || quantity == critical_amplitude || is_of_steady_state(quantity))
       require(x > 0.0 && std::isfinite(x), x, "a frequency above 0 Hz");
     else
@@ -82,10 +82,10 @@ struct MeshedBeam {
   solver::ContactSystem system;
 };
 MeshedBeam meshed_beam(const WrongModelRecipe& model, const data::Case& problem, double normal_force) {
-  solver::BeamModel mesh(problem.beam, problem.numerics.elements());
+  solver::BeamModel mesh(problem.beam(), problem.numerics.elements());
   solver::require_stable_stick_state(mesh);
-  solver::ContactSystem system =
-      solver::beam_contact_system(mesh, problem.friction, model.base(problem.excitation), problem.damping);
+  solver::ContactSystem system = solver::beam_contact_system(
+      mesh, problem.contact.friction, model.base(problem.excitation()), problem.damping);
   system.normal_force = normal_force;
   if (model.mesh) model.mesh(system, mesh);
   return {std::move(mesh), std::move(system)};
@@ -111,7 +111,7 @@ StickSum sum_of(const WrongModelRecipe& model, const data::Case& problem, Quanti
     return studies::stick_sum(beam.mesh, beam.system,
                               model.force_row ? model.force_row(beam.mesh) : Eigen::RowVectorXd());
   }
-  StickSum sum = studies::stick_sum(problem.beam, kept_free_vibrations);
+  StickSum sum = studies::stick_sum(problem.beam(), kept_free_vibrations);
   if (model.equations) model.equations(sum, problem);
   return sum;
 }
@@ -127,9 +127,9 @@ HeldHistory held_in_closed_form(const data::Case& problem, StickReading reading,
     throw data::InputError(
         "the case is damped, but must be undamped for forces and motions of the held beam");
   const auto response = std::make_shared<analytic::StickResponse>(
-      problem.beam, problem.excitation, kept_free_vibrations, analytic::SteadyPart::exact);
+      problem.beam(), problem.excitation(), kept_free_vibrations, analytic::SteadyPart::exact);
   if (reading == StickReading::displacement)
-    return {[response, at = response->absolute_displacement(0.5 * problem.beam.length())](double t) {
+    return {[response, at = response->absolute_displacement(0.5 * problem.beam().length())](double t) {
               return at(t);
             },
             {}};
@@ -138,7 +138,7 @@ HeldHistory held_in_closed_form(const data::Case& problem, StickReading reading,
 }
 
 HeldHistory held_by_a_sum(const StickSum& sum, const data::Case& problem, StickReading reading, double end) {
-  const auto terms = studies::sinusoids(sum, problem.excitation, reading);
+  const auto terms = studies::sinusoids(sum, problem.excitation(), reading);
   if (sum.cosine) {
     const auto at = [terms](double t) {
       double value = 0.0;
@@ -166,7 +166,7 @@ double interpolated(const std::vector<double>& samples, double step, double t) {
 HeldHistory held_in_steps(const StickSum& sum, const studies::ModalScheme& scheme, const data::Case& problem,
                           StickReading reading, double end) {
   const long steps = std::max(std::lround(std::ceil(end / scheme.step - 1e-6)), 1L);
-  const auto samples = studies::stepped(sum, scheme, problem.excitation, reading, steps);
+  const auto samples = studies::stepped(sum, scheme, problem.excitation(), reading, steps);
   return {[samples, scheme](double t) { return interpolated(samples, scheme.step, t); },
           [samples] {
             double largest = 0.0;
@@ -224,12 +224,12 @@ OptionalValues modal_values(const WrongModelRecipe& model, const data::Case& pro
   if (quantity == slip_frequency && by_mesh) {
     list = slip_frequencies(linear_beam(model, problem).system);
   } else if (quantity == slip_frequency) {
-    for (const auto& mode : analytic::slip_modes(problem.beam, count)) list.push_back(mode.frequency_hz());
+    for (const auto& mode : analytic::slip_modes(problem.beam(), count)) list.push_back(mode.frequency_hz());
   } else if (model.equations || by_mesh) {
     for (const StickSum::Mode& mode : sum_of(model, problem, quantity).modes)
       list.push_back(quantity == participation ? mode.participation : mode.natural_frequency / two_pi);
   } else {
-    for (const auto& mode : analytic::stick_modes(problem.beam, count))
+    for (const auto& mode : analytic::stick_modes(problem.beam(), count))
       list.push_back(quantity == participation ? mode.participation() : mode.frequency_hz());
   }
   return numbered(list, abscissa);
@@ -247,7 +247,7 @@ OptionalValues held_values(const WrongModelRecipe& model, const data::Case& prob
   const double duration = model.observed_for ? model.observed_for(problem) : problem.numerics.duration();
   const double largest = held_history(model, problem, quantity, duration).max_abs();
   if (quantity == force_maximum) return std::vector{largest};
-  return std::vector{problem.friction.static_coefficient() * normal_force / largest};
+  return std::vector{problem.contact.friction.static_coefficient() * normal_force / largest};
 }
 
 // The steady vibration with the tip held, on the mesh of the case: (K + i W C - W^2 M) u = load, u(L) = -A0.
@@ -256,10 +256,10 @@ std::vector<double> steady_values(const WrongModelRecipe& model, const data::Cas
   using Complex = std::complex<double>;
   const MeshedBeam beam = meshed_beam(model, problem, 0.0);
   const solver::ContactSystem& system = beam.system;
-  const Eigen::VectorXd at_middle = beam.mesh.interpolation(0.5 * problem.beam.length());
+  const Eigen::VectorXd at_middle = beam.mesh.interpolation(0.5 * problem.beam().length());
   const Eigen::MatrixXd stiffness(system.slip_stiffness), mass(system.mass), damping(system.damping);
-  const double amplitude = problem.excitation.amplitude();
-  const double first = analytic::stick_modes(problem.beam, 1).front().angular_frequency();
+  const double amplitude = problem.excitation().amplitude();
+  const double first = analytic::stick_modes(problem.beam(), 1).front().angular_frequency();
   const Eigen::Index c = system.contact;
   return at_each(frequencies, [&](double hz) {
     const double omega = two_pi * hz, loss = model.is_structural ? first : omega;
@@ -311,7 +311,7 @@ std::shared_ptr<const studies::TipRun> kept_run(const WrongModelRecipe& model, c
     if (const auto found = kept.find(key); found != kept.end()) return found->second;
   }
   const MeshedBeam beam = meshed_beam(model, problem, normal_force);
-  const auto base = model.base(problem.excitation);
+  const auto base = model.base(problem.excitation());
   auto run = std::make_shared<const studies::TipRun>(
       model.law ? studies::tip_run(beam.system, base, problem.numerics, *model.law, end, events)
                 : studies::tip_run(beam.system, base, problem.numerics, model.start, end, events));
@@ -345,14 +345,14 @@ OptionalValues raw_values(const WrongModelRecipe& model, const data::Case& given
   const OptionalValues none;
   const std::optional<data::Case> problem = model.inputs ? model.inputs(given) : given;
   if (!problem) return none;
-  const double normal_force = given.beam.axial_force();
+  const double normal_force = given.beam().axial_force();
   switch (quantity) {
     case stick_frequency:
     case slip_frequency:
     case participation:
       return modal_values(model, *problem, quantity, abscissa);
     case quasi_static_shape: {
-      const analytic::QuasiStaticShape shape(problem->beam);
+      const analytic::QuasiStaticShape shape(problem->beam());
       return at_each(abscissa, [&](double x) { return shape.value(x); });
     }
     case stick_force:
@@ -369,7 +369,7 @@ OptionalValues raw_values(const WrongModelRecipe& model, const data::Case& given
     case critical_amplitude: {
       // Converts to the given amplitude, which the model may have changed.
       auto values = held_values(model, *problem, normal_force, quantity, abscissa);
-      if (values) values->front() *= given.excitation.amplitude();
+      if (values) values->front() *= given.excitation().amplitude();
       return values;
     }
     case contact_event:
@@ -569,7 +569,7 @@ ModelResults model_results(const std::vector<data::Case>& cases, Quantity quanti
 
 std::vector<WrongModelEffect> wrong_model_effects(const data::Case& problem, double stick_duration,
                                                   double contact_duration) {
-  const double hz = problem.excitation.frequency_hz();
+  const double hz = problem.excitation().frequency_hz();
   const data::Case held = with_value(with(problem, data::Damping()), "excitation.duration", stick_duration),
                    sliding = with_value(problem, "excitation.duration", contact_duration);
   const ModelResults stick = model_results(held, stick_frequency, {1.0}),

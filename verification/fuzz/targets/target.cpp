@@ -188,9 +188,9 @@ data::Case case_of(Choices& choices) {
                                           .modes = choices.between(1, 6),
                                           .duration = time_step * choices.between(1, 200)});
   return {.name = "fuzz",
-          .beam = beam,
-          .friction = friction,
-          .excitation = excitation,
+          .structure = beam,
+          .motion = excitation,
+          .contact = {.friction = friction},
           .numerics = numerics,
           .damping = data::Damping({.kelvin_voigt = choices.byte() % 2 == 0 ? 0.0 : choices.near(1e-5),
                                     .ratio = choices.byte() % 2 == 0 ? 0.0 : choices.near(1e-2)})};
@@ -227,7 +227,7 @@ void follow_event_by_event(const data::Case& problem) {
   constexpr double most = 300.0;  // runs above this cost would only take time
   if (cost_of(beam.model(), problem) > most) return;
   analytic::EventDriven run(beam.model());
-  const std::vector<double> midspan = beam.shapes(problem.beam.length() / 2.0);
+  const std::vector<double> midspan = beam.shapes(problem.beam().length() / 2.0);
   const long steps = solver::step_count(problem.numerics.duration(), problem.numerics.time_step());
   for (long n = 0; n <= steps; ++n) {
     run.advance_to(static_cast<double>(n) * problem.numerics.time_step());

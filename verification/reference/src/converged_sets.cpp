@@ -43,9 +43,9 @@ DataSet stick_history() {
       "largest difference to 100 of them, which leave out eight times as much of f, and more of y",
       fmt::format(R"({{"modes": {}, "frequency_hz": 15, "amplitude": 0.0005}})", modes),
       {"finite elements, to their predicted error", "the bound of the omitted free vibrations"});
-  const double midspan = 0.5 * problem.beam.length();
+  const double midspan = 0.5 * problem.beam().length();
   const auto response = [&](int count) {
-    return analytic::StickResponse(problem.beam, problem.excitation, count, analytic::SteadyPart::exact);
+    return analytic::StickResponse(problem.beam(), problem.excitation(), count, analytic::SteadyPart::exact);
   };
   const auto fine = response(modes), coarse = response(modes / 2);
   constexpr int samples = 1000;
@@ -92,7 +92,7 @@ DataSet length_force_ratios() {
       const double length = tenths / 10.0;
       const data::Case point =
           data::with_value(data::with_value(problem, "beam.length", length), "beam.axial_force", axial_force);
-      if (axial_force > 0.99 * analytic::stick_buckling_load(point.beam)) continue;
+      if (axial_force > 0.99 * analytic::stick_buckling_load(point.beam())) continue;
       const analytic::Criterion criterion = studies::criterion_of(point, width);
       const double ratio = criterion.force_max.midpoint() / criterion.friction_limit;
       add_row(set, {length, axial_force, converged(ratio, (0.5 * width + rounding) * ratio)});
@@ -107,7 +107,7 @@ std::pair<double, double> all_modes_maximum(const NamedBeam& named, int hz) {
   if (const auto found = known.find(key); found != known.end()) return found->second;
   constexpr int modes = 100;
   const analytic::StickResponse response(
-      named.problem.beam,
+      named.problem.beam(),
       data::HarmonicExcitation({.frequency_hz = static_cast<double>(hz), .amplitude = 1.0}), modes,
       analytic::SteadyPart::exact);
   const analytic::Bounds bounds = response.max_abs_friction_force(10.0);
@@ -242,14 +242,14 @@ using Fields = std::vector<std::vector<double>>;
 Fields free_mode_fields(const data::Case& problem, const analytic::TimeGrid& grid,
                         const std::vector<double>& points) {
   const std::size_t every = grid.steps / 10;
-  const int modes = studies::free_modes_for(problem.beam, grid.time_step);
-  const auto shapes = analytic::slip_modes(problem.beam, modes);
-  const auto held = analytic::holding_force(problem.beam, problem.excitation, {}, grid);
-  analytic::FreeModeRun beam(analytic::free_modes(problem.beam, modes),
-                             {problem.beam.axial_force(), problem.friction}, grid.time_step);
+  const int modes = studies::free_modes_for(problem.beam(), grid.time_step);
+  const auto shapes = analytic::slip_modes(problem.beam(), modes);
+  const auto held = analytic::holding_force(problem.beam(), problem.excitation(), {}, grid);
+  analytic::FreeModeRun beam(analytic::free_modes(problem.beam(), modes),
+                             {problem.beam().axial_force(), problem.contact.friction}, grid.time_step);
   Fields fields;
   for (const double x : points)
-    fields.push_back(analytic::held_displacement(problem.beam, problem.excitation, {}, grid, x, every));
+    fields.push_back(analytic::held_displacement(problem.beam(), problem.excitation(), {}, grid, x, every));
   for (std::size_t n = 0; n < held.size(); ++n) {
     static_cast<void>(beam.step(held[n]));
     if ((n + 1) % every != 0) continue;
@@ -316,7 +316,7 @@ DataSet undamped_fields() {
       fmt::format(R"({{"case": "paper", "steps_per_interval": {}}})", steps),
       {"finite elements, to the tolerance; the middle and the tip are those of undamped-history-25"});
   std::vector<double> points;
-  for (int k = 0; k <= 20; ++k) points.push_back(problem.beam.length() * k / 20.0);
+  for (int k = 0; k <= 20; ++k) points.push_back(problem.beam().length() * k / 20.0);
   const auto grid_of = [&](int count) {
     return analytic::TimeGrid{interval / count,
                               static_cast<std::size_t>(times) * static_cast<std::size_t>(count)};

@@ -26,7 +26,7 @@ constexpr int mode_count = 10;
 const std::string digits_and_bits = fmt::format(R"({{"bits": {}, "digits": 30}})", bits);
 
 // k/20 of the length.
-double point_of(const NamedBeam& named, int k) { return named.problem.beam.length() * k / 20.0; }
+double point_of(const NamedBeam& named, int k) { return named.problem.beam().length() * k / 20.0; }
 
 // The problem of each beam in the column beam.
 void set_problem(data::Resource& resource, std::string_view tip) {
@@ -57,7 +57,7 @@ DataSet beam_table() {
   std::vector<NamedBeam> all = beams();
   for (const char* name : {"paper-half-stiffness", "paper-figure14"}) all.push_back(named_beam(name));
   for (const NamedBeam& named : all) {
-    const data::BeamProperties& p = named.problem.beam.properties();
+    const data::BeamProperties& p = named.problem.beam().properties();
     add_row(set, {named.name, p.length, p.area, p.second_moment_of_area, p.density, p.youngs_modulus,
                   p.axial_force});
   }
@@ -172,7 +172,7 @@ DataSet static_shapes() {
     for (int k = 1; k <= 20; ++k) {
       const double x = point_of(named, k);
       const certified::Derivatives at = shape.at(Real(exact(x)));
-      add_row(set, {named.name, x, enclosed(at[0]), enclosed(at[1], 1.0 / named.problem.beam.length())});
+      add_row(set, {named.name, x, enclosed(at[0]), enclosed(at[1], 1.0 / named.problem.beam().length())});
     }
   }
   return set;

@@ -168,7 +168,7 @@ DataSet manufactured_motion() {
   const Real a(Rational("0.001")), squared_rate(1600);
   for (const char* axial_force : {"-40000", "0", "40000"})
     for (int k = 1; k <= 20; ++k) {
-      const double x = paper.problem.beam.length() * k / 20.0;
+      const double x = paper.problem.beam().length() * k / 20.0;
       const Real xi = Real(exact(x)) / length;
       // phi = a/2 (exp(b xi) - Re exp((b + 4 i) xi)) with b = 1/2. Each derivative multiplies by b/L or (b +
       // 4 i)/L.

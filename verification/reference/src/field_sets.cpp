@@ -37,7 +37,7 @@ std::vector<BeamState> beam_states(const data::Case& problem, int modes, const s
                                    const std::vector<double>& points, bool has_energy = false) {
   const analytic::BeamContactModel beam(problem, modes);
   analytic::EventDriven run(beam.model(), {.keep_energy_balance = has_energy});
-  const double omega = 2.0 * std::numbers::pi * problem.excitation.frequency_hz();
+  const double omega = 2.0 * std::numbers::pi * problem.excitation().frequency_hz();
   std::vector<BeamState> states;
   for (const double time : times) {
     run.advance_to(time);
@@ -49,7 +49,7 @@ std::vector<BeamState> beam_states(const data::Case& problem, int modes, const s
     for (const double x : points) {
       const std::vector<double> shape = beam.shapes(x);
       state.displacement.push_back(analytic::absolute_displacement(shape, run));
-      double velocity = problem.excitation.amplitude() * omega * std::cos(omega * time) +
+      double velocity = problem.excitation().amplitude() * omega * std::cos(omega * time) +
                         shape.back() * run.contact_velocity();
       for (std::size_t n = 0; n + 1 < shape.size(); ++n) velocity += shape[n] * run.rates()[n];
       state.velocity.push_back(velocity);
@@ -123,7 +123,7 @@ DataSet history_of(DataSet set, const data::Case& problem, const Sampling& sampl
     resource.comparison->horizon = slip_duration;
   }
   const std::vector<double> times = equal_times(sampling.step, sampling.count),
-                            points{0.5 * problem.beam.length(), problem.beam.length()};
+                            points{0.5 * problem.beam().length(), problem.beam().length()};
   const auto fine = beam_states(problem, fine_modes, times, points, has_energy);
   const auto coarse = beam_states(problem, coarse_modes, times, points, has_energy);
   for (std::size_t first = 0, end = 0; first < fine.size(); first = end) {
@@ -163,7 +163,7 @@ DataSet fields_of(DataSet set, const data::Case& problem, double step) {
              {{"displacement", "m", "y(x, t), absolute", Norm::scale, 1e-2},
               {"velocity", "m/s", "y_t(x, t), absolute", Norm::scale, 1e-2}});
   std::vector<double> points;
-  for (int k = 0; k <= 20; ++k) points.push_back(problem.beam.length() * k / 20.0);
+  for (int k = 0; k <= 20; ++k) points.push_back(problem.beam().length() * k / 20.0);
   const std::vector<double> times = equal_times(step, 10);
   const auto fine = beam_states(problem, fine_modes, times, points);
   const auto coarse = beam_states(problem, coarse_modes, times, points);
@@ -327,14 +327,14 @@ Samples samples_of(const studies::History& motion, const studies::History& force
 }
 
 studies::Sampling at_samples(const data::Case& problem, const std::function<double(int)>& time) {
-  studies::Sampling sampling{.positions = {problem.beam.length()}};
+  studies::Sampling sampling{.positions = {problem.beam().length()}};
   for (int i = first_period * per_period; i < last_period * per_period; ++i)
     sampling.times.push_back(time(i));
   return sampling;
 }
 
 Samples event_driven_samples(const data::Case& problem, int modes) {
-  const double rate = per_period * problem.excitation.frequency_hz();
+  const double rate = per_period * problem.excitation().frequency_hz();
   const studies::History history =
       studies::event_driven_history(data::with_value(problem, "numerics.modes", modes),
                                     at_samples(problem, [rate](int i) { return i / rate; }));
@@ -343,7 +343,7 @@ Samples event_driven_samples(const data::Case& problem, int modes) {
 
 // By generalised-alpha; the force, which has peaks far above mu_s P in its steps, from event to event.
 Samples finite_element_samples(data::Case problem, int elements, int steps, int force_elements) {
-  const double step = 1.0 / (steps * per_period * problem.excitation.frequency_hz());
+  const double step = 1.0 / (steps * per_period * problem.excitation().frequency_hz());
   problem = with_value(with_value(problem, "numerics.elements", elements), "numerics.time_step", step);
   const studies::Sampling sampling = at_samples(problem, [&](int i) { return i * steps * step; });
   return samples_of(studies::finite_element_history(problem, sampling),
@@ -458,9 +458,9 @@ DataSet damped_steady_state() {
       R"({"relative_half_width": 1e-10})", {"the harmonic response of finite elements, to their order"});
   for (int hz = 1; hz <= 120; ++hz) {
     const analytic::DampedSteadyState steady(
-        problem.beam, data::HarmonicExcitation({.frequency_hz = hz + 0.0, .amplitude = 5e-4}),
+        problem.beam(), data::HarmonicExcitation({.frequency_hz = hz + 0.0, .amplitude = 5e-4}),
         problem.damping, analytic::TipSupport::held);
-    const auto middle = steady.displacement(0.5 * problem.beam.length()), force = steady.friction_force();
+    const auto middle = steady.displacement(0.5 * problem.beam().length()), force = steady.friction_force();
     const double heat = steady.dissipated_energy();
     add_row(set,
             {hz, converged(std::abs(middle), relative * std::abs(middle)),

@@ -17,7 +17,7 @@ Rational exact(double value) { return {std::string_view(data::shortest_text(valu
 
 NamedBeam named_beam(const std::string& name) {
   data::Case problem = data::load_case(name);
-  const data::BeamProperties& p = problem.beam.properties();
+  const data::BeamProperties& p = problem.beam().properties();
   if (p.axial_direction != 0.0)
     throw data::FieldError("beam.axial_direction", p.axial_direction,
                            "0: the enclosures have a follower force");
@@ -121,18 +121,18 @@ std::string problem_of_each_beam(std::string_view tip) {
 std::string problem_of(const data::Case& problem, std::string_view beam, std::string_view tip,
                        const std::map<std::string, std::string>& others) {
   using Json = nlohmann::ordered_json;
-  Json json{
-      {"beam", beam},
-      {"tip", tip},
-      {"excitation",
-       {{"frequency_hz", problem.excitation.frequency_hz()}, {"amplitude", problem.excitation.amplitude()}}},
-      {"damping", {{"kelvin_voigt", problem.damping.kelvin_voigt()}}},
-      {"friction",
-       {{"static_coefficient", problem.friction.static_coefficient()},
-        {"kinetic_coefficient", problem.friction.kinetic_coefficient()},
-        {"decay", problem.friction.decay()}}},
-      {"initial_state", "y = 0, y_t = (1 + S(x)) h_t"},
-      {"modes", "all"}};
+  Json json{{"beam", beam},
+            {"tip", tip},
+            {"excitation",
+             {{"frequency_hz", problem.excitation().frequency_hz()},
+              {"amplitude", problem.excitation().amplitude()}}},
+            {"damping", {{"kelvin_voigt", problem.damping.kelvin_voigt()}}},
+            {"friction",
+             {{"static_coefficient", problem.contact.friction.static_coefficient()},
+              {"kinetic_coefficient", problem.contact.friction.kinetic_coefficient()},
+              {"decay", problem.contact.friction.decay()}}},
+            {"initial_state", "y = 0, y_t = (1 + S(x)) h_t"},
+            {"modes", "all"}};
   for (const auto& [pointer, value] : others) json[Json::json_pointer(pointer)] = Json::parse(value);
   return json.dump();
 }

@@ -205,7 +205,7 @@ int period_of(std::span<const Sample> samples) {
 
 int steps_per_period(const data::Case& problem) {
   constexpr double least_pairs = 16.0, most_pairs = 1e8;
-  const double period = 1.0 / problem.excitation.frequency_hz();
+  const double period = 1.0 / problem.excitation().frequency_hz();
   const double pairs = std::ceil(0.5 * period / problem.numerics.time_step() - rounding);
   if (pairs > most_pairs)
     throw data::FieldError("numerics.time_step", problem.numerics.time_step(),
@@ -215,7 +215,7 @@ int steps_per_period(const data::Case& problem) {
 }
 
 ResponseGrid response_grid(const data::Case& problem, double transient) {
-  const double period = 1.0 / problem.excitation.frequency_hz(), duration = problem.numerics.duration();
+  const double period = 1.0 / problem.excitation().frequency_hz(), duration = problem.numerics.duration();
   const double left_out = std::ceil(transient / period - rounding);
   const double recorded = std::floor(duration / period + rounding) - left_out;
   if (!(recorded >= 2.0))

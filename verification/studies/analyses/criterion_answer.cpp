@@ -36,27 +36,27 @@ data::HarmonicExcitation unit_excitation(double frequency_hz) {
 
 // What the modes that are not kept can add to the undamped reaction at most, N per m.
 double omitted_transient_bound(const data::Case& problem, const data::HarmonicExcitation& unit, int modes) {
-  if (problem.beam.shear_stiffness() > 0.0)
-    return analytic::timoshenko_omitted_transient(analytic::timoshenko_reaction(problem.beam, modes),
+  if (problem.beam().shear_stiffness() > 0.0)
+    return analytic::timoshenko_omitted_transient(analytic::timoshenko_reaction(problem.beam(), modes),
                                                   angular_frequency(unit));
-  return analytic::StickResponse(problem.beam, unit, modes, SteadyPart::exact).omitted_transient_bound();
+  return analytic::StickResponse(problem.beam(), unit, modes, SteadyPart::exact).omitted_transient_bound();
 }
 
 // |f| per metre with so many modes, and with bounds of those that are left out.
 analytic::DampedForce damped_force(const data::Case& problem, int modes) {
   const auto reaction = [&](int count) {
-    return analytic::damped_reaction(problem.beam, problem.damping, count, SteadyPart::exact);
+    return analytic::damped_reaction(problem.beam(), problem.damping, count, SteadyPart::exact);
   };
-  return {reaction(modes), angular_frequency(problem.excitation), problem.numerics.duration(),
+  return {reaction(modes), angular_frequency(problem.excitation()), problem.numerics.duration(),
           reaction(modes / 2)};
 }
 
 analytic::Bounds unit_force(const data::Case& problem, int modes, double relative_width) {
   if (is_damped(problem)) return damped_force(problem, modes).refined_to(relative_width);
-  const double hz = problem.excitation.frequency_hz();
+  const double hz = problem.excitation().frequency_hz();
   const double omitted = omitted_transient_bound(problem, unit_excitation(hz), modes);
   const auto [lower, upper] =
-      analytic::largest_unit_force(problem.beam, problem.damping, hz, problem.numerics.duration(), modes,
+      analytic::largest_unit_force(problem.beam(), problem.damping, hz, problem.numerics.duration(), modes,
                                    SteadyPart::exact, relative_width);
   return {std::max(0.0, lower - omitted), upper + omitted};
 }
@@ -68,13 +68,13 @@ int most_modes(const data::Case& problem) {
 // From so many on, doubled until the highest is at 4 Ω; half of them are then above Ω.
 int enough_modes(const data::Case& problem, int first) {
   const int most = most_modes(problem);
-  const double omega = angular_frequency(problem.excitation);
+  const double omega = angular_frequency(problem.excitation());
   for (int modes = first;; modes = std::min(2 * modes, most)) {
-    const double highest = analytic::modal_forces(problem.beam, modes).back().angular_frequency;
+    const double highest = analytic::modal_forces(problem.beam(), modes).back().angular_frequency;
     if (highest >= 4.0 * omega) return modes;
     if (modes == most)
       throw data::FieldError(
-          "excitation.frequency_hz", problem.excitation.frequency_hz(),
+          "excitation.frequency_hz", problem.excitation().frequency_hz(),
           fmt::format("at most {:.6g} Hz, a quarter of natural frequency {} of the stick state",
                       highest / (4.0 * two_pi), most));
   }
@@ -86,23 +86,23 @@ int kept_modes(const data::Case& problem) {
 
 // N per m: with a damping ratio by the modes kept, else exact.
 analytic::Bounds steady_force_per_unit(const data::Case& problem) {
-  const auto unit = unit_excitation(problem.excitation.frequency_hz());
+  const auto unit = unit_excitation(problem.excitation().frequency_hz());
   const double omega = angular_frequency(unit);
   if (problem.damping.ratio() > 0.0) return damped_force(problem, kept_modes(problem)).steady_bounds();
   const auto exactly = [](double force) { return analytic::Bounds{std::abs(force), std::abs(force)}; };
   if (problem.damping.kelvin_voigt() > 0.0)
-    return exactly(
-        std::abs(analytic::DampedSteadyState(problem.beam, unit, problem.damping, analytic::TipSupport::held)
-                     .friction_force()));
-  if (problem.beam.shear_stiffness() > 0.0)
-    return exactly(analytic::timoshenko_steady_force(problem.beam, omega));
-  return exactly(analytic::StickResponse(problem.beam, unit, kept_modes(problem), SteadyPart::exact)
+    return exactly(std::abs(
+        analytic::DampedSteadyState(problem.beam(), unit, problem.damping, analytic::TipSupport::held)
+            .friction_force()));
+  if (problem.beam().shear_stiffness() > 0.0)
+    return exactly(analytic::timoshenko_steady_force(problem.beam(), omega));
+  return exactly(analytic::StickResponse(problem.beam(), unit, kept_modes(problem), SteadyPart::exact)
                      .steady_force_amplitude());
 }
 
 StickFrequency nearest_stick_frequency(const data::Case& problem) {
-  const auto shares = analytic::modal_forces(problem.beam, kept_modes(problem));
-  const double omega = angular_frequency(problem.excitation);
+  const auto shares = analytic::modal_forces(problem.beam(), kept_modes(problem));
+  const double omega = angular_frequency(problem.excitation());
   const auto nearest = std::ranges::min_element(
       shares, {}, [&](const auto& share) { return std::abs(share.angular_frequency - omega); });
   return {.mode = static_cast<int>(nearest - shares.begin()) + 1,
@@ -111,14 +111,14 @@ StickFrequency nearest_stick_frequency(const data::Case& problem) {
 }
 
 std::optional<SteadyState> steady_state(const data::Case& problem, const StickFrequency& nearest) {
-  const auto natural = closed_form_frequencies(problem.beam, analytic::TipSupport::held, nearest.mode);
+  const auto natural = closed_form_frequencies(problem.beam(), analytic::TipSupport::held, nearest.mode);
   if (!is_damped(problem) && std::abs(nearest.distance) <= natural.back().relative_error) return std::nullopt;
   constexpr double steady_after = 3.0;  // time constants, which leave 5 % of a free vibration
   const double first = 2.0 * std::numbers::pi * natural.front().hz;
   const double decay = first * (problem.damping.ratio() + 0.5 * problem.damping.kelvin_voigt() * first);
   const analytic::Bounds per_unit = steady_force_per_unit(problem);
   const double limit = friction_limit(problem);
-  const analytic::Bounds force = problem.excitation.amplitude() * per_unit;
+  const analytic::Bounds force = problem.excitation().amplitude() * per_unit;
   return SteadyState{.force = force,
                      .critical_amplitude = limit / per_unit,
                      .verdict = analytic::verdict_of(force, limit),
@@ -128,7 +128,7 @@ std::optional<SteadyState> steady_state(const data::Case& problem, const StickFr
 // At these times, the tip held by as much friction as it takes.
 Bending held_bending(const data::Case& problem, std::vector<double> times) {
   constexpr int fewest_modes = 10;
-  const double length = problem.beam.length();
+  const double length = problem.beam().length();
   const data::Case held = data::with_value(
       with(problem, data::FrictionLaw({.static_coefficient = 1e30, .kinetic_coefficient = 0.0})),
       "numerics.modes", std::max(fewest_modes, problem.numerics.modes()));
@@ -142,21 +142,21 @@ Bending held_bending(const data::Case& problem, std::vector<double> times) {
 // Damped, over a period once the slowest free vibration has fallen to exp(-30). A ratio holds with the tip free, whose first
 // frequency is more than a fifth of the held one.
 double steady_draw_back(const data::Case& problem) {
-  const double first = two_pi * stick_hz(problem.beam, 1), eta = problem.damping.kelvin_voigt() * first;
+  const double first = two_pi * stick_hz(problem.beam(), 1), eta = problem.damping.kelvin_voigt() * first;
   std::vector<double> times;
   if (is_damped(problem)) {
     const double ratio = problem.damping.ratio() + (eta > 0.0 ? std::min(0.5 * eta, 1.0 / eta) : 0.0);
     for (int i = 0; i < 64; ++i)
-      times.push_back(150.0 / (ratio * first) + i / (64.0 * problem.excitation.frequency_hz()));
+      times.push_back(150.0 / (ratio * first) + i / (64.0 * problem.excitation().frequency_hz()));
     return held_bending(problem, times).draw_back;
   }
-  const analytic::StickResponse response(problem.beam, problem.excitation, kept_modes(problem),
+  const analytic::StickResponse response(problem.beam(), problem.excitation(), kept_modes(problem),
                                          SteadyPart::exact);
   HistoryRow crest;
-  for (const double x : Bending::positions(problem.beam.length()))
+  for (const double x : Bending::positions(problem.beam().length()))
     crest.displacement.push_back(response.steady_displacement_amplitude(x));
   Bending bending;
-  bending.include(crest, problem.beam.length());
+  bending.include(crest, problem.beam().length());
   return bending.draw_back;
 }
 
@@ -211,7 +211,7 @@ bool too_few_modes(const analytic::Criterion& truncated, const analytic::Criteri
 // Evaluated at an amplitude of 1 m and scaled, since the reaction is proportional to the amplitude.
 analytic::Criterion criterion_with_all_modes(const data::Case& problem, double relative_width,
                                              bool verdict_alone) {
-  analytic::require_contact(problem.beam);
+  analytic::require_contact(problem.beam());
   const int most = most_modes(problem);
   const int first = is_damped(problem) ? damped_modes
                     : verdict_alone ? std::clamp(4 * problem.numerics.modes(), damped_modes, undamped_modes)
@@ -219,7 +219,7 @@ analytic::Criterion criterion_with_all_modes(const data::Case& problem, double r
   const double limit = friction_limit(problem);
   for (int modes = enough_modes(problem, first);; modes = std::min(2 * modes, most)) {
     const analytic::Bounds per_unit = unit_force(problem, modes, relative_width);
-    const analytic::Bounds force = problem.excitation.amplitude() * per_unit;
+    const analytic::Bounds force = problem.excitation().amplitude() * per_unit;
     const auto verdict = analytic::verdict_of(force, limit);
     if (modes == most || (verdict != analytic::Verdict::undecided && (verdict_alone || per_unit.lower > 0.0)))
       return {.force_max = force,
@@ -235,7 +235,7 @@ std::optional<SteadyState> steady_state(const data::Case& problem) {
 
 std::optional<Bending> held_bending(const data::Case& problem) {
   constexpr int instants = 4096;
-  if (problem.beam.shear_stiffness() > 0.0) return std::nullopt;
+  if (problem.beam().shear_stiffness() > 0.0) return std::nullopt;
   std::vector<double> times;
   for (int i = 0; i < instants; ++i)
     times.push_back(problem.numerics.duration() *
@@ -253,7 +253,7 @@ CriterionAnswer criterion_answer(const data::Case& problem, const Remake& remake
                          .best_change = {}};
   answer.steady = steady_state(problem, answer.nearest);
   if (answer.bending && answer.steady) answer.steady_draw_back = steady_draw_back(problem);
-  if (problem.excitation.amplitude() > 0.0 && !too_few_modes(answer.truncated, answer.all_modes))
+  if (problem.excitation().amplitude() > 0.0 && !too_few_modes(answer.truncated, answer.all_modes))
     answer
         .best_change = best_change(problem, [&](std::string_view key, double value) -> std::optional<double> {
       try {
@@ -280,9 +280,9 @@ std::vector<CriticalAmplitudePoint> critical_amplitude_curve(const data::Case& p
 CriticalAmplitudeCurve critical_amplitude_curve(const data::Case& problem) {
   constexpr int steps = 240;
   constexpr double reach = 4.0, beyond = 1.25, width = 1e-3;
-  const double here = problem.excitation.frequency_hz(), first = here / reach;
+  const double here = problem.excitation().frequency_hz(), first = here / reach;
   CriticalAmplitudeCurve curve;
-  for (const auto& share : analytic::modal_forces(problem.beam, problem.numerics.modes()))
+  for (const auto& share : analytic::modal_forces(problem.beam(), problem.numerics.modes()))
     curve.natural_hz.push_back(share.angular_frequency / (2.0 * std::numbers::pi));
   const double last = std::max(reach * here, beyond * curve.natural_hz.front());
   std::vector<double> frequencies;

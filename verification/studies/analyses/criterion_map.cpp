@@ -77,33 +77,33 @@ class Forces {
     const data::Case& problem = task.problem;
     if (!varies_beam(task)) {  // all points have the same beam
       if (is_damped(problem))
-        common_damped_ = analytic::damped_reaction(problem.beam, problem.damping, modes_);
+        common_damped_ = analytic::damped_reaction(problem.beam(), problem.damping, modes_);
       else
-        common_ = analytic::modal_reaction(problem.beam, modes_);
+        common_ = analytic::modal_reaction(problem.beam(), modes_);
       return;
     }
     // Their modes depend on more than the load factor.
-    if (is_damped(problem) || problem.beam.shear_stiffness() > 0.0) return;
+    if (is_damped(problem) || problem.beam().shear_stiffness() > 0.0) return;
     double lowest = std::numeric_limits<double>::infinity(), highest = 0.0;
     for (const std::size_t j : ends_of(task.y))
       for (const std::size_t i : ends_of(task.x)) {
-        const data::Beam beam = case_at(task, i, j).beam;
+        const data::Beam beam = case_at(task, i, j).beam();
         lowest = std::min(lowest, load_factor(beam));
         highest = std::max(highest, load_factor(beam));
       }
-    highest = std::min(highest, just_below_buckling(case_at(task, 0, 0).beam));
+    highest = std::min(highest, just_below_buckling(case_at(task, 0, 0).beam()));
     if (lowest > 0.0 && lowest < highest)
-      table_.emplace(lowest, highest, modes_, problem.beam.axial_direction());
+      table_.emplace(lowest, highest, modes_, problem.beam().axial_direction());
   }
 
   // |f_max| per unit of the amplitude that the case states: N/m, N s/m or N s²/m.
   [[nodiscard]] analytic::Bounds unit_force(const data::Case& problem) const {
-    return problem.excitation.unit_amplitude() * force_per_metre(problem);
+    return problem.excitation().unit_amplitude() * force_per_metre(problem);
   }
 
   // Whether the tip slips. Far from the friction limit this needs less work than the force itself.
   [[nodiscard]] bool slips(const data::Case& problem) const {
-    const double limit = friction_limit(problem), amplitude = problem.excitation.amplitude();
+    const double limit = friction_limit(problem), amplitude = problem.excitation().amplitude();
     if (method_ == MapMethod::closed_form && !is_damped(problem))
       return amplitude > 0.0 && search(problem).exceeds(limit / amplitude);
     return analytic::verdict_of(amplitude * force_per_metre(problem), limit) == Verdict::stick_slip;
@@ -114,12 +114,12 @@ class Forces {
     if (method_ == MapMethod::closed_form && is_damped(problem))
       return analytic::DampedForce(common_damped_
                                        ? *common_damped_
-                                       : analytic::damped_reaction(problem.beam, problem.damping, modes_),
-                                   angular_frequency(problem.excitation), problem.numerics.duration())
+                                       : analytic::damped_reaction(problem.beam(), problem.damping, modes_),
+                                   angular_frequency(problem.excitation()), problem.numerics.duration())
           .refined_to();
     if (method_ == MapMethod::closed_form) return search(problem).refined_to();
     const data::HarmonicExcitation unit(
-        {.frequency_hz = problem.excitation.frequency_hz(), .amplitude = 1.0});
+        {.frequency_hz = problem.excitation().frequency_hz(), .amplitude = 1.0});
     const double force = solver::max_abs_friction_force(with(problem, unit));
     return {force, force};
   }
@@ -132,11 +132,11 @@ class Forces {
   }
 
   [[nodiscard]] analytic::ForceMaximum search(const data::Case& problem) const {
-    const double omega = angular_frequency(problem.excitation);
+    const double omega = angular_frequency(problem.excitation());
     const double duration = problem.numerics.duration();
     if (common_) return {*common_, omega, duration};
-    if (table_ && table_->holds(problem.beam)) return {table_->at(problem.beam), omega, duration};
-    return {analytic::modal_reaction(problem.beam, modes_), omega, duration};
+    if (table_ && table_->holds(problem.beam())) return {table_->at(problem.beam()), omega, duration};
+    return {analytic::modal_reaction(problem.beam(), modes_), omega, duration};
   }
 
   MapMethod method_;
@@ -278,8 +278,8 @@ void evaluate(const MapTask& task, std::span<const std::size_t> numbers, MapEval
     responses.emplace(task);
   const auto evaluation_at = [&](std::size_t number) -> MapEvaluation {
     const data::Case point = case_at(task, number % columns, number / columns);
-    if (may_be_buckled && is_buckled(point.beam)) return {.unit_force = {}, .state = std::nullopt};
-    analytic::require_contact(point.beam);
+    if (may_be_buckled && is_buckled(point.beam())) return {.unit_force = {}, .state = std::nullopt};
+    analytic::require_contact(point.beam());
     if (responses) return responses->at(point);
     if (decide_only)
       return {.unit_force = {}, .state = forces->slips(point) ? Verdict::stick_slip : Verdict::stick};
@@ -305,9 +305,9 @@ CriterionMap criterion_map(const MapTask& task, const MapEvaluations& evaluation
                    .tolerance = task.tolerance,
                    .cells = {}};
   map.cells.resize(x.values.size() * y.values.size());
-  Factors factors{.amplitude = task.problem.excitation.motion().amplitude,
-                  .static_coefficient = task.problem.friction.static_coefficient(),
-                  .axial_force = task.problem.beam.axial_force()};
+  Factors factors{.amplitude = task.problem.excitation().motion().amplitude,
+                  .static_coefficient = task.problem.contact.friction.static_coefficient(),
+                  .axial_force = task.problem.beam().axial_force()};
   auto cell = map.cells.begin();
   for (std::size_t j = 0; j < y.values.size(); ++j) {
     factors.set(y.parameter, y.values[j]);

@@ -32,25 +32,25 @@ bool is_one_frequency(const analytic::FrequencyBand& band) { return band.from_hz
 
 void require_margin(const data::Case& problem) {
   require_friction(problem);
-  if (problem.beam.shear_stiffness() > 0.0)
-    throw data::FieldError("beam.shear_stiffness", problem.beam.shear_stiffness(),
+  if (problem.beam().shear_stiffness() > 0.0)
+    throw data::FieldError("beam.shear_stiffness", problem.beam().shear_stiffness(),
                            "0 for a design over a band of frequencies; map and criterion have shear");
-  if (problem.excitation.amplitude() > 0.0) return;
+  if (problem.excitation().amplitude() > 0.0) return;
   throw data::FieldError("excitation.amplitude", "0", "above 0 (m): without excitation nothing slips");
 }
 
 // A0 at the lower end of the band, m: what BandMaximum counts in.
 double amplitude_at_start(const data::Case& problem, const analytic::FrequencyBand& band) {
-  return with_value(problem, "excitation.frequency_hz", band.from_hz).excitation.amplitude();
+  return with_value(problem, "excitation.frequency_hz", band.from_hz).excitation().amplitude();
 }
 
 analytic::BandMaximum search_of(const data::Case& problem, analytic::FrequencyBand band,
                                 analytic::DampedForcePart part = analytic::DampedForcePart::start_up) {
-  band.held = problem.excitation.motion().amplitude_of;
+  band.held = problem.excitation().motion().amplitude_of;
   const int modes = problem.numerics.modes();
-  if (!is_damped(problem)) return {problem.beam, band, problem.numerics.duration(), modes};
-  return {analytic::damped_reaction(problem.beam, problem.damping, modes), band, problem.numerics.duration(),
-          part};
+  if (!is_damped(problem)) return {problem.beam(), band, problem.numerics.duration(), modes};
+  return {analytic::damped_reaction(problem.beam(), problem.damping, modes), band,
+          problem.numerics.duration(), part};
 }
 
 // The least damping ratio of the modes that vibrate; 0 without damping.
@@ -58,7 +58,7 @@ double least_ratio(const data::Case& problem) {
   if (!is_damped(problem)) return 0.0;
   double least = 1.0;
   for (const auto& share :
-       analytic::damped_reaction(problem.beam, problem.damping, problem.numerics.modes()).shares)
+       analytic::damped_reaction(problem.beam(), problem.damping, problem.numerics.modes()).shares)
     least = std::min(least, -share.eigenvalue.real() / std::abs(share.eigenvalue));
   return least;
 }
@@ -69,7 +69,7 @@ class Candidate {
   Candidate(const data::Case& problem, double value, const analytic::FrequencyBand& band)
       : value_(value),
         limit_(friction_limit(problem) / amplitude_at_start(problem, band)),
-        modes_(analytic::modal_forces(problem.beam, problem.numerics.modes())),
+        modes_(analytic::modal_forces(problem.beam(), problem.numerics.modes())),
         least_ratio_(studies::least_ratio(problem)),
         search_(search_of(problem, band)) {}
 
@@ -136,7 +136,7 @@ class Scan {
   [[nodiscard]] std::optional<double> value_at_resonance(const analytic::Bounds& range, int mode,
                                                          double hz) const {
     const auto natural_hz = [&](double value) {
-      return stick_hz(with_value(problem_, parameter_, value).beam, mode);
+      return stick_hz(with_value(problem_, parameter_, value).beam(), mode);
     };
     double low = range.lower, high = range.upper;
     if (natural_hz(low) < hz || natural_hz(high) > hz) return std::nullopt;
@@ -164,7 +164,7 @@ class Scan {
       const double bend = std::min(t * t * q, b * b * t * t * t / (3.0 * w));
       rise += c * std::min(change * change * bend / 8.0, 2.0 * q);
     }
-    return rise * std::pow(a / b, static_cast<double>(problem_.excitation.motion().amplitude_of));
+    return rise * std::pow(a / b, static_cast<double>(problem_.excitation().motion().amplitude_of));
   }
 
   void append(const Candidate& left, const Candidate& right, bool sticks,
@@ -208,7 +208,7 @@ std::vector<DesignInterval> joined(const std::vector<std::vector<DesignInterval>
 
 BandMargin band_margin(const data::Case& problem, const analytic::FrequencyBand& band,
                        double relative_width) {
-  analytic::require_contact(problem.beam);
+  analytic::require_contact(problem.beam());
   require_margin(problem);
   analytic::BandMaximum search = search_of(problem, band);
   const analytic::Bounds unit = search.refined_to(relative_width);
@@ -225,7 +225,7 @@ BandMargin band_margin(const data::Case& problem, const analytic::FrequencyBand&
         search_of(problem, band, analytic::DampedForcePart::steady).refined_to(relative_width);
     margin.steady_margin = limit / (amplitude * steady);
   }
-  for (const auto& mode : analytic::stick_modes(problem.beam, problem.numerics.modes()))
+  for (const auto& mode : analytic::stick_modes(problem.beam(), problem.numerics.modes()))
     if (band.from_hz <= mode.frequency_hz() && mode.frequency_hz() <= band.to_hz)
       margin.resonances.push_back({mode.number(), mode.frequency_hz()});
   return margin;
@@ -292,13 +292,13 @@ analytic::Bounds range_below_buckling(const data::Case& problem, std::string_vie
 }
 
 double buckling_value(const data::Case& problem, std::string_view parameter) {
-  if (parameter == "beam.axial_force") return analytic::stick_buckling_load(problem.beam);
+  if (parameter == "beam.axial_force") return analytic::stick_buckling_load(problem.beam());
   if (parameter != "beam.length")
     throw std::invalid_argument(std::string(parameter) +
                                 " is varied in a design, but must be beam.length or beam.axial_force");
   // Throws with a message about the axial force.
-  if (problem.beam.axial_force() <= 0.0) analytic::require_contact(problem.beam);
-  return buckling_length(problem.beam);
+  if (problem.beam().axial_force() <= 0.0) analytic::require_contact(problem.beam());
+  return buckling_length(problem.beam());
 }
 
 }  // namespace stickslip::studies

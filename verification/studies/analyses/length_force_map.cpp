@@ -50,8 +50,8 @@ std::vector<double> graded_lengths(const LengthForceMap::Line& line, double shor
 LengthForceMap::Line line_of(const data::Case& problem, double shortest, double longest, double axial_force) {
   const data::Case at_force =
       data::with_value(data::with_value(problem, "beam.length", shortest), "beam.axial_force", axial_force);
-  const data::Beam& beam = at_force.beam;
-  const double hz = problem.excitation.frequency_hz();
+  const data::Beam& beam = at_force.beam();
+  const double hz = problem.excitation().frequency_hz();
   LengthForceMap::Line line;
   line.axial_force = axial_force;
   line.buckling_length = buckling_length(beam);
@@ -71,9 +71,9 @@ LengthForceMap length_force_map(const data::Case& problem, double shortest, doub
   map.lines.resize(axial_forces.size());
   in_parallel(axial_forces.size(),
               [&](std::size_t i) { map.lines[i] = line_of(problem, shortest, longest, axial_forces[i]); });
-  const data::Beam& beam = problem.beam;
+  const data::Beam& beam = problem.beam();
   const double rigidity = beam.youngs_modulus() * beam.second_moment_of_area();
-  map.frequency_hz = problem.excitation.frequency_hz();
+  map.frequency_hz = problem.excitation().frequency_hz();
   map.buckling_coefficient = analytic::stick_buckling_load(beam) * beam.length() * beam.length() / rigidity;
   map.section_height = std::sqrt(12.0 * beam.second_moment_of_area() / beam.area());
   map.section_width = beam.area() / map.section_height;

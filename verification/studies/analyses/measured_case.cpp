@@ -31,7 +31,7 @@ bool is_frequency(const OwnMeasurement& one) {
 
 EstimatedFrequency frequency_of(const data::Case& problem, const OwnMeasurement& one) {
   const auto tip = one.quantity == "slip_frequency" ? analytic::TipSupport::free : analytic::TipSupport::held;
-  return closed_form_frequencies(problem.beam, tip, static_cast<int>(one.at)).back();
+  return closed_form_frequencies(problem.beam(), tip, static_cast<int>(one.at)).back();
 }
 
 double sampled(const data::Case& problem, const OwnMeasurement& one) {
@@ -126,7 +126,7 @@ CaseComparison compare_with_case(const std::filesystem::path& case_file,
     if (!is_frequency(one))
       overrides.push_back({"excitation.frequency_hz", data::shortest_text(one.at), "the column at"});
     const data::Case problem = data::read_case(case_file, overrides);
-    data::require_rigid(problem.contact, "a frequency or critical amplitude; respond takes it");
+    data::require_rigid(problem.contact.compliance, "a frequency or critical amplitude; respond takes it");
     const auto [value, numerical] = predicted(problem, one);
     const auto before = static_cast<double>(result.comparisons.size()),
                rows = static_cast<double>(all.size());

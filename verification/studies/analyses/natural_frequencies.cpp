@@ -107,7 +107,7 @@ double factor_of_axial_force(const solver::BeamModel& model, const solver::Finit
 }  // namespace
 
 std::vector<EstimatedFrequency> mesh_frequencies(const data::Case& problem, TipSupport tip, int count) {
-  const data::Beam& beam = problem.beam;
+  const data::Beam& beam = problem.beam();
   const int elements = problem.numerics.elements();
   const solver::BeamModel model(beam, elements);
   const auto modes = mesh_modes(model, tip, count);
@@ -135,7 +135,7 @@ Shapes closed_form_shapes(const data::Beam& beam, TipSupport tip, int count,
 }
 
 Shapes mesh_shapes(const data::Case& problem, TipSupport tip, int count, const std::vector<double>& points) {
-  const solver::BeamModel model(problem.beam, problem.numerics.elements());
+  const solver::BeamModel model(problem.beam(), problem.numerics.elements());
   const auto modes = mesh_modes(model, tip, count);
   Shapes values(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {

@@ -41,9 +41,9 @@ struct FreeVibration {
 // Those of the first numerics.modes() modes of the undamped beam. max |f| is the largest of 2048 instants.
 std::vector<FreeVibration> free_vibrations(const data::Case& problem) {
   constexpr int instants = 2048;
-  const double omega = angular_frequency(problem.excitation);
-  const auto reaction = analytic::modal_reaction(problem.beam, problem.numerics.modes());
-  const double span = std::max({problem.numerics.duration(), 1.0 / problem.excitation.frequency_hz(),
+  const double omega = angular_frequency(problem.excitation());
+  const auto reaction = analytic::modal_reaction(problem.beam(), problem.numerics.modes());
+  const double span = std::max({problem.numerics.duration(), 1.0 / problem.excitation().frequency_hz(),
                                 2.0 * pi / reaction.modes.front().angular_frequency});
   const analytic::ForceMaximum force(reaction, omega, span);
   double largest = 0.0;
@@ -92,13 +92,14 @@ double allowed_step(double spectral_radius, double omega) {
 }  // namespace
 
 std::optional<Warning> resonance_warning(const data::Case& problem) {
-  const double omega = angular_frequency(problem.excitation), duration = problem.numerics.duration();
-  if (is_damped(problem) || problem.excitation.amplitude() == 0.0 || 0.5 * omega * duration < grown_response)
+  const double omega = angular_frequency(problem.excitation()), duration = problem.numerics.duration();
+  if (is_damped(problem) || problem.excitation().amplitude() == 0.0 ||
+      0.5 * omega * duration < grown_response)
     return std::nullopt;
   int count = problem.numerics.modes();  // also those that are left out
-  auto modes = analytic::modal_forces(problem.beam, count);
+  auto modes = analytic::modal_forces(problem.beam(), count);
   while (modes.back().angular_frequency < 2.0 * omega && count < 500)
-    modes = analytic::modal_forces(problem.beam, count *= 2);
+    modes = analytic::modal_forces(problem.beam(), count *= 2);
   const auto nearest = std::ranges::min_element(
       modes, {}, [&](const auto& mode) { return std::abs(mode.angular_frequency - omega); });
   const double difference = std::abs(nearest->angular_frequency - omega);
@@ -106,26 +107,26 @@ std::optional<Warning> resonance_warning(const data::Case& problem) {
   if (difference * duration > pi) return std::nullopt;
   const std::string end =
       difference * duration < 1e-6 ? "without end" : fmt::format("until {:.3g} s", pi / difference);
-  return Warning{Concern::resonance, problem.excitation.frequency_hz(), nearest_hz,
+  return Warning{Concern::resonance, problem.excitation().frequency_hz(), nearest_hz,
                  fmt::format("excitation.frequency_hz is {}, next to natural frequency {} of the stick "
                              "state, {:.7g} Hz: the reaction of the undamped beam grows with t, {}, so that "
                              "its maximum depends on excitation.duration, {} s",
-                             data::shortest_text(problem.excitation.frequency_hz()),
+                             data::shortest_text(problem.excitation().frequency_hz()),
                              nearest - modes.begin() + 1, nearest_hz, end, data::shortest_text(duration))};
 }
 
 namespace {
 
 void warn_of_distance(const data::Case& problem, std::vector<Warning>& warnings) {
-  const double omega = angular_frequency(problem.excitation);
+  const double omega = angular_frequency(problem.excitation());
   const auto distance = [&](const analytic::ModalForce& mode) {
     return std::hypot(
         mode.angular_frequency / omega - 1.0,
         problem.damping.ratio() + 0.5 * problem.damping.kelvin_voigt() * mode.angular_frequency);
   };
-  const auto modes = analytic::modal_forces(problem.beam, problem.numerics.modes());
+  const auto modes = analytic::modal_forces(problem.beam(), problem.numerics.modes());
   const auto nearest = std::ranges::min_element(modes, {}, distance);
-  if (problem.excitation.amplitude() == 0.0 || distance(*nearest) >= least_resonance_distance) return;
+  if (problem.excitation().amplitude() == 0.0 || distance(*nearest) >= least_resonance_distance) return;
   const double share = nearest->angular_frequency / omega - 1.0;
   warnings.push_back({Concern::near_resonance, std::abs(share), least_resonance_distance,
                       fmt::format("natural frequency {} is only {} from excitation.frequency_hz: 1 % of "
@@ -147,8 +148,8 @@ void warn_of_thickness(const data::Beam& beam, bool slip, int mode, std::vector<
 }
 
 void warn_of_step(const data::Case& problem, int mode, std::vector<Warning>& warnings) {
-  const double natural = analytic::modal_forces(problem.beam, mode).back().angular_frequency;
-  const double excitation = angular_frequency(problem.excitation);
+  const double natural = analytic::modal_forces(problem.beam(), mode).back().angular_frequency;
+  const double excitation = angular_frequency(problem.excitation());
   const double omega = std::max(natural, excitation), step = problem.numerics.time_step();
   const double error = step_error(problem.numerics.spectral_radius(), omega, step);
   if (error <= allowed_step_error) return;
@@ -210,15 +211,16 @@ int highest_mode_that_matters(const data::Case& problem) {
 }
 
 double mesh_effect(const data::Case& problem, int elements) {
-  const double element = problem.beam.length() / elements;
-  double effect = mesh_frequency_error(problem.beam, angular_frequency(problem.excitation), element);
-  if (problem.beam.shear_stiffness() == 0.0)
-    effect += hermite_eigenvalue_error(problem.beam, analytic::stick_modes(problem.beam, 1).front(), element);
+  const double element = problem.beam().length() / elements;
+  double effect = mesh_frequency_error(problem.beam(), angular_frequency(problem.excitation()), element);
+  if (problem.beam().shear_stiffness() == 0.0)
+    effect +=
+        hermite_eigenvalue_error(problem.beam(), analytic::stick_modes(problem.beam(), 1).front(), element);
   effect = std::min(1.0, effect);
   for (const auto& [omega, share] : free_vibrations(problem)) {
     const double decay =
         problem.damping.ratio() * omega + 0.5 * problem.damping.kelvin_voigt() * omega * omega;
-    const double error = mesh_frequency_error(problem.beam, omega, element),
+    const double error = mesh_frequency_error(problem.beam(), omega, element),
                  time = std::min(problem.numerics.duration(), 1.0 / decay);
     effect += share * std::min(2.0, error * (1.0 + omega * time));
   }
@@ -227,7 +229,7 @@ double mesh_effect(const data::Case& problem, int elements) {
 
 double row_effect(const data::Case& problem, double spacing) {
   const auto lost = [&](double omega) { return 1.0 - std::cos(std::min(pi, 0.5 * omega * spacing)); };
-  double effect = lost(angular_frequency(problem.excitation));
+  double effect = lost(angular_frequency(problem.excitation()));
   for (const auto& [omega, share] : free_vibrations(problem)) effect += share * lost(omega);
   return effect;
 }
@@ -250,7 +252,7 @@ std::vector<Warning> warnings_without_effect(const data::Case& problem, Inquiry 
   if (inquiry == Inquiry::criterion || inquiry == Inquiry::closed_form_history || inquiry == Inquiry::design)
     if (auto few = few_modes_warning(problem)) warnings.push_back(std::move(*few));
   const int mode = is_about_frequencies(inquiry) ? frequencies : highest_mode_that_matters(problem);
-  warn_of_thickness(problem.beam, inquiry == Inquiry::slip_frequencies, mode, warnings);
+  warn_of_thickness(problem.beam(), inquiry == Inquiry::slip_frequencies, mode, warnings);
   if (inquiry == Inquiry::stepped_history) {
     if (auto mesh = coarse_mesh_warning(problem)) warnings.push_back(std::move(*mesh));
     warn_of_step(problem, mode, warnings);
@@ -263,9 +265,9 @@ std::vector<Warning> warnings_without_effect(const data::Case& problem, Inquiry 
 std::optional<Warning> instability_warning(const data::Case& problem) {
   const auto found = slip_instability(problem);
   if (!found) return std::nullopt;
-  const data::Beam& beam = problem.beam;
+  const data::Beam& beam = problem.beam();
   const bool buckles = found->root.imag() == 0.0, is_sheared = beam.shear_stiffness() > 0.0,
-             has_loss = is_damped(problem) || problem.friction.viscous() > 0.0;
+             has_loss = is_damped(problem) || problem.contact.friction.viscous() > 0.0;
   const double unit = beam.youngs_modulus() * beam.second_moment_of_area() / (beam.length() * beam.length());
   return Warning{
       buckles ? Concern::buckling : Concern::flutter, beam.axial_force(), found->load,
@@ -278,21 +280,22 @@ std::optional<Warning> instability_warning(const data::Case& problem) {
 }
 
 std::optional<Warning> few_modes_warning(const data::Case& problem) {
-  const double load = problem.beam.axial_force();
-  if (!(load > 0.0 && load < analytic::stick_buckling_load(problem.beam))) return std::nullopt;
+  const double load = problem.beam().axial_force();
+  if (!(load > 0.0 && load < analytic::stick_buckling_load(problem.beam()))) return std::nullopt;
   const auto truncated = criterion_of(problem, 1e-4), all = criterion_with_all_modes(problem, 1e-4);
   if (!too_few_modes(truncated, all)) return std::nullopt;
   const double mine = truncated.force_max.midpoint(), whole = all.force_max.midpoint();
-  return Warning{Concern::few_modes, mine, whole,
-                 fmt::format("numerics.modes is {}, too few at {} Hz: the largest |f| is {:.3g} N with them, "
-                             "and with all modes {:.3g} N, where the verdict is {}",
-                             problem.numerics.modes(), data::shortest_text(problem.excitation.frequency_hz()),
-                             mine, whole, to_string(all.verdict))};
+  return Warning{
+      Concern::few_modes, mine, whole,
+      fmt::format("numerics.modes is {}, too few at {} Hz: the largest |f| is {:.3g} N with them, "
+                  "and with all modes {:.3g} N, where the verdict is {}",
+                  problem.numerics.modes(), data::shortest_text(problem.excitation().frequency_hz()), mine,
+                  whole, to_string(all.verdict))};
 }
 
 std::optional<Warning> coarse_mesh_warning(const data::Case& problem) {
   constexpr int most_elements = 10'000;
-  if (problem.beam.axial_force() >= analytic::stick_buckling_load(problem.beam)) return std::nullopt;
+  if (problem.beam().axial_force() >= analytic::stick_buckling_load(problem.beam())) return std::nullopt;
   const double effect = mesh_effect(problem, problem.numerics.elements());
   if (effect <= allowed_model_error) return std::nullopt;
   int enough = problem.numerics.elements() + 1;
@@ -306,10 +309,10 @@ std::optional<Warning> coarse_mesh_warning(const data::Case& problem) {
 }
 
 std::string shear_effect(const data::Case& problem) {
-  const data::Case sheared = data::with(problem, with_shear(problem.beam));
+  const data::Case sheared = data::with(problem, with_shear(problem.beam()));
   const std::string choice =
-      fmt::format("with beam.shear_stiffness = {:.3g} (k = 5/6, nu = 0.3)", sheared.beam.shear_stiffness());
-  if (problem.beam.axial_force() >= analytic::stick_buckling_load(sheared.beam))
+      fmt::format("with beam.shear_stiffness = {:.3g} (k = 5/6, nu = 0.3)", sheared.beam().shear_stiffness());
+  if (problem.beam().axial_force() >= analytic::stick_buckling_load(sheared.beam()))
     return choice + " the beam buckles";
   const auto without = criterion_with_all_modes(problem, 1e-4),
              with = criterion_with_all_modes(sheared, 1e-4);
@@ -332,23 +335,23 @@ std::optional<Warning> growth_warning(const data::Case& problem, Inquiry inquiry
   const data::NumericalSettings& numerics = problem.numerics;
   const bool stepped = inquiry == Inquiry::stepped_history;
   if (!stepped && inquiry != Inquiry::event_driven_history) return std::nullopt;
-  if (problem.contact.has_spring()) return std::nullopt;  // σ* is that of a law without memory
+  if (problem.contact.compliance.has_spring()) return std::nullopt;  // σ* is that of a law without memory
   if ((stepped ? numerics.elements() : numerics.modes()) >
       (is_damped(problem) ? most_damped_for_growth : most_undamped_for_growth))
     return std::nullopt;
   const auto contact = [&] {
     if (!stepped) return continuous_contact(analytic::BeamContactModel(problem, numerics.modes()).model());
-    const auto system =
-        solver::beam_contact_system(solver::BeamModel(problem.beam, numerics.elements()), problem.friction,
-                                    solver::harmonic_motion(problem.excitation), problem.damping);
+    const auto system = solver::beam_contact_system(
+        solver::BeamModel(problem.beam(), numerics.elements()), problem.contact.friction,
+        solver::harmonic_motion(problem.excitation()), problem.damping);
     return stepped_contact(solver::ContactMobility(system), numerics.time_step(), numerics.spectral_radius());
   }();
-  const double kappa = weakening(problem.friction, problem.beam.axial_force());
+  const double kappa = weakening(problem.contact.friction, problem.beam().axial_force());
   const double allowed = allowed_growth / numerics.duration();
   if (grows_at_most(contact, kappa, allowed)) return std::nullopt;
   const double run_bound = growth_bound(contact, kappa);
   const double beam_bound =
-      beam_growth_bound(without_shear(problem.beam), problem.friction,
+      beam_growth_bound(without_shear(problem.beam()), problem.contact.friction,
                         data::Damping({.kelvin_voigt = problem.damping.kelvin_voigt()}));
   const auto rate = [](double value) {
     return value < 100.0 ? fmt::format("{:.3g} 1/s", value) : fmt::format("{:.0f} 1/s", value);
@@ -362,7 +365,7 @@ std::optional<Warning> growth_warning(const data::Case& problem, Inquiry inquiry
   if (run_bound > 1.1 * beam_bound)
     sentence +=
         fmt::format(", about as with numerics.spectral_radius = 0, time_step = {:.2g} s, elements = {}",
-                    two_digits(time_step_of({.angle = filtering_angle}, problem.beam, numerics.elements())),
+                    two_digits(time_step_of({.angle = filtering_angle}, problem.beam(), numerics.elements())),
                     numerics.elements());
   if (beam_bound > allowed && is_beam_known)
     sentence += fmt::format("; beyond {:.2g} s the bound is of no use for any discretisation",
@@ -386,7 +389,7 @@ void warn_of_law(const data::Case& problem, const History& history, std::vector<
 void warn_of_alternation(const data::Case& problem, std::vector<std::string>& sentences) {
   const data::NumericalSettings& numerics = problem.numerics;
   const double eta = problem.damping.kelvin_voigt(), radius = numerics.spectral_radius();
-  const double omega = 1.0 / time_step_of({.angle = 1.0}, problem.beam, numerics.elements());
+  const double omega = 1.0 / time_step_of({.angle = 1.0}, problem.beam(), numerics.elements());
   const double allowed = 2.0 / (eta * omega * omega);
   if (radius == 0.0 || eta == 0.0 || numerics.time_step() <= allowed) return;
   sentences.push_back(
@@ -480,11 +483,12 @@ std::vector<std::string> warnings_after(const data::Case& problem, Inquiry inqui
   warn_of_law(problem, history, sentences);
   if (history.events.empty()) return sentences;
   const bool stepped = inquiry == Inquiry::stepped_history;
-  if (stepped && problem.contact.is_rigid()) warn_of_alternation(problem, sentences);
+  if (stepped && problem.contact.compliance.is_rigid()) warn_of_alternation(problem, sentences);
   if (const auto growth = growth_warning(problem, inquiry)) {
     sentences.push_back(growth->sentence);
   } else {
-    if (stepped && problem.contact.is_rigid()) warn_of_long_steps(problem, choices, history, sentences);
+    if (stepped && problem.contact.compliance.is_rigid())
+      warn_of_long_steps(problem, choices, history, sentences);
     if (inquiry == Inquiry::boundary_integral_history) warn_of_single_steps(problem, history, sentences);
     if (inquiry == Inquiry::event_driven_history) warn_of_few_modes(problem, history, sentences);
   }
@@ -503,8 +507,8 @@ long look_step(const data::Case& problem, long row_step) {
 std::optional<std::string> row_warning(const data::Case& problem, const Method& method, long look_step,
                                        long row_step) {
   const double step = problem.numerics.time_step(), spacing = static_cast<double>(row_step) * step,
-               half_period = 0.5 / problem.excitation.frequency_hz();
-  if (problem.excitation.amplitude() > 0.0 && spacing > half_period)
+               half_period = 0.5 / problem.excitation().frequency_hz();
+  if (problem.excitation().amplitude() > 0.0 && spacing > half_period)
     return fmt::format(
         "the rows are {:.3g} s apart, more than half a period of the base, {:.3g} s: they do not show the "
         "motion",
@@ -520,7 +524,7 @@ std::optional<std::string> row_warning(const data::Case& problem, const Method& 
 
 std::optional<std::string> fixed_step_warning(const data::Case& problem, double step) {
   const int mode = highest_mode_that_matters(problem);
-  const double omega = analytic::modal_forces(problem.beam, mode).back().angular_frequency,
+  const double omega = analytic::modal_forces(problem.beam(), mode).back().angular_frequency,
                longest = std::sqrt(24.0 * allowed_step_error) / omega;
   if (step <= longest) return std::nullopt;
   return fmt::format(
@@ -556,7 +560,7 @@ std::optional<std::string> draw_back_warning(const data::Beam& beam, double draw
 
 std::vector<Warning> warnings_common_to(const data::Case& problem,
                                         const std::vector<std::string_view>& varied) {
-  if (problem.beam.axial_force() >= analytic::stick_buckling_load(problem.beam)) return {};
+  if (problem.beam().axial_force() >= analytic::stick_buckling_load(problem.beam())) return {};
   const auto varies = [&](auto property) { return std::ranges::any_of(varied, property); };
   const auto moves_a_frequency = [](std::string_view parameter) {
     return !data::state_the_same(parameter, data::amplitude_keys.front()) &&
@@ -569,7 +573,7 @@ std::vector<Warning> warnings_common_to(const data::Case& problem,
   std::vector<Warning> warnings;
   if (!varies(moves_a_frequency)) warn_of_resonance(problem, Inquiry::criterion, warnings);
   if (!varies(changes_the_proportions))
-    warn_of_thickness(problem.beam, false, highest_mode_that_matters(problem), warnings);
+    warn_of_thickness(problem.beam(), false, highest_mode_that_matters(problem), warnings);
   return warnings;
 }
 

@@ -51,7 +51,7 @@ class Verdicts {
       : problem_(problem), keys_(uncertainty.keys), band_(band) {
     if (band_) {  // BandMaximum counts in the amplitude at its lower end
       problem_ = with_value(problem_, "excitation.frequency_hz", band_->from_hz);
-      band_->held = problem_.excitation.motion().amplitude_of;
+      band_->held = problem_.excitation().motion().amplitude_of;
     }
     if (std::ranges::any_of(keys_, [](const auto& key) { return moves_the_force(key.key); })) return;
     force_ = band_ ? search_of(problem_).refined_to(common_width) : unit_force(problem);
@@ -59,11 +59,11 @@ class Verdicts {
 
   // From now on the modes of undamped beams with a load factor between those of the values are interpolated.
   void tabulate(const std::vector<std::vector<double>>& values) {
-    if (problem_.beam.shear_stiffness() > 0.0) return;
+    if (problem_.beam().shear_stiffness() > 0.0) return;
     double lowest = std::numeric_limits<double>::infinity(), highest = 0.0;
     for (const auto& sample : values) {
       try {
-        const data::Beam beam = case_at(sample).beam;
+        const data::Beam beam = case_at(sample).beam();
         analytic::require_contact(beam);
         const double share = beam.axial_force() / analytic::stick_buckling_load(beam);
         lowest = std::min(lowest, share);
@@ -72,7 +72,7 @@ class Verdicts {
         continue;
       }
     }
-    const data::Beam& beam = problem_.beam;
+    const data::Beam& beam = problem_.beam();
     const double buckling = analytic::stick_buckling_load(beam) * beam.length() * beam.length() /
                             (beam.youngs_modulus() * beam.second_moment_of_area());
     if (lowest <= highest && highest < most_tabulated)
@@ -89,9 +89,9 @@ class Verdicts {
   // The verdict alone, which far from the limit is cheaper than the force.
   [[nodiscard]] bool slips_at(std::span<const double> values) const {
     const data::Case problem = case_at(values);
-    if (force_ || is_damped(problem) || problem.excitation.amplitude() == 0.0) return of(problem).slips;
-    analytic::require_contact(problem.beam);
-    const double limit = friction_limit(problem) / problem.excitation.amplitude();
+    if (force_ || is_damped(problem) || problem.excitation().amplitude() == 0.0) return of(problem).slips;
+    analytic::require_contact(problem.beam());
+    const double limit = friction_limit(problem) / problem.excitation().amplitude();
     return band_ ? search_of(problem).exceeds(limit) : search_of_force(problem).exceeds(limit);
   }
 
@@ -99,11 +99,11 @@ class Verdicts {
 
  private:
   [[nodiscard]] SampleResult of(const data::Case& problem) const {
-    analytic::require_contact(problem.beam);
-    const double limit = friction_limit(problem), amplitude = problem.excitation.amplitude();
+    analytic::require_contact(problem.beam());
+    const double limit = friction_limit(problem), amplitude = problem.excitation().amplitude();
     if (!(amplitude > 0.0)) throw data::FieldError("excitation.amplitude", amplitude, "above 0 (m)");
     const analytic::Bounds force = force_ ? *force_ : unit_force(problem);
-    return {.critical_amplitude = limit / force.midpoint() / problem.excitation.unit_amplitude(),
+    return {.critical_amplitude = limit / force.midpoint() / problem.excitation().unit_amplitude(),
             .margin = limit / (amplitude * force.midpoint()),
             .slips = analytic::verdict_of(amplitude * force, limit) == Verdict::stick_slip};
   }
@@ -113,9 +113,9 @@ class Verdicts {
   }
 
   [[nodiscard]] analytic::ModalReaction reaction_of(const data::Case& problem) const {
-    return table_ && table_->holds(problem.beam)
-               ? table_->at(problem.beam)
-               : analytic::modal_reaction(problem.beam, problem.numerics.modes());
+    return table_ && table_->holds(problem.beam())
+               ? table_->at(problem.beam())
+               : analytic::modal_reaction(problem.beam(), problem.numerics.modes());
   }
 
   [[nodiscard]] analytic::BandMaximum search_of(const data::Case& problem) const {
@@ -123,15 +123,15 @@ class Verdicts {
   }
 
   [[nodiscard]] analytic::ForceMaximum search_of_force(const data::Case& problem) const {
-    return {reaction_of(problem), angular_frequency(problem.excitation), problem.numerics.duration()};
+    return {reaction_of(problem), angular_frequency(problem.excitation()), problem.numerics.duration()};
   }
 
   [[nodiscard]] analytic::Bounds unit_force(const data::Case& problem) const {
     if (!band_ && !is_damped(problem)) return search_of_force(problem).refined_to(force_width);
     if (!band_)
-      return analytic::largest_unit_force(problem.beam, problem.damping, problem.excitation.frequency_hz(),
-                                          problem.numerics.duration(), problem.numerics.modes(),
-                                          analytic::SteadyPart::modal_sum, force_width);
+      return analytic::largest_unit_force(
+          problem.beam(), problem.damping, problem.excitation().frequency_hz(), problem.numerics.duration(),
+          problem.numerics.modes(), analytic::SteadyPart::modal_sum, force_width);
     return search_of(problem).refined_to(band_width);
   }
 
@@ -231,7 +231,7 @@ auto judge_of_all_modes(const data::Case& problem, const data::Uncertainty& unce
   if (verdicts.have_one_force()) force = criterion_of_all_modes(problem).force_max;
   return [&problem, &uncertainty, force](std::span<const double> values) {
     const data::Case sample = studies::case_at(problem, uncertainty.keys, values);
-    const double ratio = sample.excitation.amplitude() / problem.excitation.amplitude();
+    const double ratio = sample.excitation().amplitude() / problem.excitation().amplitude();
     const Verdict known =
         force ? analytic::verdict_of(ratio * *force, friction_limit(sample)) : Verdict::undecided;
     return known == Verdict::undecided ? criterion_of_all_modes(sample).verdict : known;

@@ -24,7 +24,7 @@ namespace {
 using Complex = std::complex<double>;
 
 void require_moving_wall(const data::Case& problem) {
-  if (problem.wall.speed() != 0.0) return;
+  if (problem.contact.wall.speed() != 0.0) return;
   throw data::FieldError("wall.speed", "0", "other than 0 (m/s), or nothing slides steadily");
 }
 
@@ -38,10 +38,10 @@ void require_dense_mesh(const data::NumericalSettings& numerics) {
 // The slip state as it slides.
 solver::ContactSystem mesh_of(const data::Case& problem, int elements) {
   return solver::beam_contact_system(
-      solver::BeamModel(problem.beam, elements), problem.friction,
+      solver::BeamModel(problem.beam(), elements), problem.contact.friction,
       solver::harmonic_motion(
-          data::HarmonicExcitation({.frequency_hz = problem.excitation.frequency_hz(), .amplitude = 0.0})),
-      problem.damping, problem.wall);
+          data::HarmonicExcitation({.frequency_hz = problem.excitation().frequency_hz(), .amplitude = 0.0})),
+      problem.damping, problem.contact.wall);
 }
 
 SquealMode mode_of(const data::Case& problem, const analytic::SlidingMode& mode,
@@ -57,8 +57,8 @@ SquealMode mode_of(const data::Case& problem, const analytic::SlidingMode& mode,
                     .finite_element_root = {}};
   if (mode.hopf) {
     result.critical_slope = holds ? mode.hopf->slope : 0.0;
-    result.critical_speed =
-        analytic::speed_of_slope(problem.friction, problem.beam.axial_force(), *result.critical_slope);
+    result.critical_speed = analytic::speed_of_slope(problem.contact.friction, problem.beam().axial_force(),
+                                                     *result.critical_slope);
   }
   if (mode.root)
     result.finite_element_root =
@@ -87,7 +87,7 @@ std::optional<Complex> judge(const std::vector<Complex>& eigenvalues, Squeal& sq
 Complex fastest_slip(const data::Case& problem, double axial_force) {
   const auto eigenvalues =
       solver::sliding_eigenvalues(mesh_of(with_value(problem, "beam.axial_force", axial_force), 10),
-                                  -problem.friction.viscous() * axial_force);
+                                  -problem.contact.friction.viscous() * axial_force);
   return *std::ranges::max_element(eigenvalues, {}, [](Complex s) { return s.real() / std::abs(s); });
 }
 
@@ -95,7 +95,7 @@ Complex fastest_slip(const data::Case& problem, double axial_force) {
 
 std::optional<SlipInstability> slip_instability(const data::Case& problem) {
   constexpr int steps = 32;
-  double load = problem.beam.axial_force();
+  double load = problem.beam().axial_force();
   if (load <= 0.0) return std::nullopt;
   const Complex root = fastest_slip(problem, load);
   if (!grows(root)) return std::nullopt;
@@ -111,8 +111,8 @@ std::optional<SlipInstability> slip_instability(const data::Case& problem) {
 
 double resolved_frequency(const data::Case& problem) {
   constexpr double allowed_error = 0.01;
-  const double element = problem.beam.length() / problem.numerics.elements();
-  return std::sqrt(allowed_error / mesh_frequency_error(problem.beam, 1.0, element)) / two_pi;
+  const double element = problem.beam().length() / problem.numerics.elements();
+  return std::sqrt(allowed_error / mesh_frequency_error(problem.beam(), 1.0, element)) / two_pi;
 }
 
 Squeal squeal_of(const data::Case& problem, int modes) {
@@ -120,27 +120,28 @@ Squeal squeal_of(const data::Case& problem, int modes) {
   require_dense_mesh(problem.numerics);
   const analytic::ContactModel model = response_model(problem);
   std::vector<double> frequencies;
-  for (const auto& mode : analytic::slip_modes(problem.beam, modes))
+  for (const auto& mode : analytic::slip_modes(problem.beam(), modes))
     frequencies.push_back(mode.angular_frequency());
-  const auto steady = analytic::steady_sliding(problem.beam, problem.friction, problem.wall);
-  Squeal squeal{
-      .speed = problem.wall.speed(),
-      .slope = analytic::falling_slope(problem.friction, problem.beam.axial_force(), problem.wall.speed()),
-      .friction_force = steady.friction_force,
-      .tip_displacement = steady.tip_displacement,
-      .finite_element_displacement = {},
-      .all_modes = problem.damping.ratio() == 0.0,
-      .modes = {},
-      .resolved_modes = 0,
-      .resolved_hz = resolved_frequency(problem),
-      .fastest = {-std::numeric_limits<double>::infinity(), 0.0},
-      .unresolved_mode_grows = false};
+  const auto steady =
+      analytic::steady_sliding(problem.beam(), problem.contact.friction, problem.contact.wall);
+  Squeal squeal{.speed = problem.contact.wall.speed(),
+                .slope = analytic::falling_slope(problem.contact.friction, problem.beam().axial_force(),
+                                                 problem.contact.wall.speed()),
+                .friction_force = steady.friction_force,
+                .tip_displacement = steady.tip_displacement,
+                .finite_element_displacement = {},
+                .all_modes = problem.damping.ratio() == 0.0,
+                .modes = {},
+                .resolved_modes = 0,
+                .resolved_hz = resolved_frequency(problem),
+                .fastest = {-std::numeric_limits<double>::infinity(), 0.0},
+                .unresolved_mode_grows = false};
   const solver::ContactSystem mesh = mesh_of(problem, problem.numerics.elements());
   squeal.finite_element_displacement = solver::steady_contact_displacement(mesh, steady.friction_force);
   const auto eigenvalues = solver::sliding_eigenvalues(mesh, solver::falling_slope(mesh));
   const auto real_root = judge(eigenvalues, squeal);
   const analytic::Mobility mobility =
-      squeal.all_modes ? analytic::Mobility(analytic::TipMobility(problem.beam, problem.damping))
+      squeal.all_modes ? analytic::Mobility(analytic::TipMobility(problem.beam(), problem.damping))
                        : analytic::contact_mobility(model);
   for (const auto& mode : analytic::sliding_modes(mobility, frequencies, squeal.slope))
     squeal.modes.push_back(mode_of(problem, mode, eigenvalues));
@@ -154,7 +155,8 @@ std::vector<double> sliding_growths(const data::Case& problem, const std::vector
   const analytic::ContactModel model = response_model(with_value(problem, "damping.ratio", damping_ratio));
   std::vector<double> growths;
   for (const double speed : speeds) {
-    const double slope = analytic::falling_slope(problem.friction, problem.beam.axial_force(), speed);
+    const double slope =
+        analytic::falling_slope(problem.contact.friction, problem.beam().axial_force(), speed);
     growths.push_back(analytic::sliding_eigenvalues(model, slope).front().real());
   }
   return growths;
@@ -221,17 +223,17 @@ void measure(const analytic::ContactModel& model, const analytic::PeriodicMotion
 Cycle cycle_of(const data::Case& problem, int periods, int settle) {
   const analytic::ContactModel model = response_model(problem);
   Cycle cycle{.search = {},
-              .forced = problem.excitation.amplitude() > 0.0,
+              .forced = problem.excitation().amplitude() > 0.0,
               .peak_to_peak = {},
               .largest_sliding = {},
               .stick_share = {}};
   if (cycle.forced) {
     cycle.search = analytic::forced_motion(model, periods, settle);
   } else {
-    if (problem.wall.speed() == 0.0)
+    if (problem.contact.wall.speed() == 0.0)
       throw data::FieldError("excitation.amplitude", "0", "above 0 (m) where wall.speed is 0: nothing moves");
     const double period =
-        2.0 * std::numbers::pi / analytic::slip_modes(problem.beam, 1).front().angular_frequency();
+        2.0 * std::numbers::pi / analytic::slip_modes(problem.beam(), 1).front().angular_frequency();
     cycle.search = analytic::self_excited_motion(model, settle * period, period / 200.0);
   }
   if (cycle.search.motion) measure(model, *cycle.search.motion, cycle);
@@ -240,8 +242,8 @@ Cycle cycle_of(const data::Case& problem, int periods, int settle) {
 
 Cycle limit_cycle_of(const data::Case& problem, int settle) {
   data::Case still = problem;
-  still.excitation =
-      data::HarmonicExcitation({.frequency_hz = problem.excitation.frequency_hz(), .amplitude = 0.0});
+  still.motion =
+      data::HarmonicExcitation({.frequency_hz = problem.excitation().frequency_hz(), .amplitude = 0.0});
   return cycle_of(still, 1, settle);
 }
 

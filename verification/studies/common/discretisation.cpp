@@ -147,13 +147,13 @@ double drift_bound(const data::Beam& beam, const std::vector<analytic::StickMode
 }
 
 PredictedForce::PredictedForce(const data::Case& problem, int modes)
-    : omega_(angular_frequency(problem.excitation)),
+    : omega_(angular_frequency(problem.excitation())),
       time_step_(problem.numerics.time_step()),
       steps_(std::lround(problem.numerics.duration() / problem.numerics.time_step())) {
-  const data::Beam& beam = problem.beam;
+  const data::Beam& beam = problem.beam();
   const data::NumericalSettings& numerics = problem.numerics;
   const double element_length = beam.length() / numerics.elements();
-  const analytic::StickResponse exact(beam, problem.excitation, 3 * modes, analytic::SteadyPart::exact);
+  const analytic::StickResponse exact(beam, problem.excitation(), 3 * modes, analytic::SteadyPart::exact);
   const std::vector<analytic::Sinusoid> transient = exact.transient_force();
   const analytic::ModalReaction reaction = exact.reaction();
   rest_amplitude_ = exact.steady_force_amplitude();
@@ -165,7 +165,7 @@ PredictedForce::PredictedForce(const data::Case& problem, int modes)
     }
     const analytic::StickMode& mode = exact.modes()[n];
     const double natural = mode.angular_frequency();
-    const double weight = problem.excitation.amplitude() * reaction.modes[n].coefficient * omega_ * omega_;
+    const double weight = problem.excitation().amplitude() * reaction.modes[n].coefficient * omega_ * omega_;
     terms_.push_back({weight, stepped_from_rest(numerics.spectral_radius(),
                                                 frequency_on_mesh(beam, mode, numerics.elements()), omega_,
                                                 numerics.time_step())});

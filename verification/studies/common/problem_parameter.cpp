@@ -8,11 +8,11 @@ double angular_frequency(const data::HarmonicExcitation& excitation) {
 }
 
 double friction_limit(const data::Case& problem) {
-  return problem.friction.static_coefficient() * problem.beam.axial_force();
+  return problem.contact.friction.static_coefficient() * problem.beam().axial_force();
 }
 
 analytic::Criterion criterion_of(const data::Case& problem, double relative_width) {
-  return analytic::evaluate_criterion(problem.beam, problem.friction, problem.excitation,
+  return analytic::evaluate_criterion(problem.beam(), problem.contact.friction, problem.excitation(),
                                       problem.numerics.duration(), problem.numerics.modes(),
                                       analytic::SteadyPart::modal_sum, relative_width, problem.damping);
 }
@@ -35,12 +35,13 @@ data::Beam without_shear(const data::Beam& beam) {
 }
 
 void require_resting_wall(const data::Case& problem) {
-  if (problem.wall.speed() == 0.0) return;
-  throw data::FieldError("wall.speed", data::shortest_text(problem.wall.speed()), std::string(resting_wall));
+  if (problem.contact.wall.speed() == 0.0) return;
+  throw data::FieldError("wall.speed", data::shortest_text(problem.contact.wall.speed()),
+                         std::string(resting_wall));
 }
 
 void require_friction(const data::Case& problem) {
-  if (problem.friction.static_coefficient() > 0.0) return;
+  if (problem.contact.friction.static_coefficient() > 0.0) return;
   throw data::FieldError("friction.static_coefficient", "0", "above 0: without friction nothing sticks");
 }
 

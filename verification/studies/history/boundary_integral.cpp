@@ -26,10 +26,10 @@ History history_of(const data::Case& problem, const Sampling& sampling,
                    const RowSink& sink) {
   const std::vector<double> tip = run.tip_displacement(steps_per_row);
   std::vector<double> positions = sampling.positions;
-  if (sampling.with_midspan) positions.push_back(0.5 * problem.beam.length());
+  if (sampling.with_midspan) positions.push_back(0.5 * problem.beam().length());
   std::vector<std::vector<double>> motions;
   for (const double x : positions) motions.push_back(run.displacement(x, steps_per_row));
-  const double omega = angular_frequency(problem.excitation);
+  const double omega = angular_frequency(problem.excitation());
   History history;
   // A step obeys the law, and a row is the mean of two.
   for (const analytic::ContactStep& step : run.steps())
@@ -42,14 +42,15 @@ History history_of(const data::Case& problem, const Sampling& sampling,
     const auto n = static_cast<std::size_t>(step);
     HistoryRow row = contact_between(run.steps(), n * steps_per_row);
     row.time = time;
-    row.base_displacement = problem.excitation.amplitude() * std::sin(omega * time);
+    row.base_displacement = problem.excitation().amplitude() * std::sin(omega * time);
     row.tip_displacement = tip[n];
     if (sampling.with_midspan) row.midspan_displacement = motions.back()[n];
     for (std::size_t k = 0; k < sampling.positions.size(); ++k) row.displacement.push_back(motions[k][n]);
     add_row(problem, history, sink, std::move(row));
   });
   // A smooth law has no stick.
-  if (!problem.contact.is_smooth()) set_events(history, events_between(run.steps(), run.grid().time_step));
+  if (!problem.contact.compliance.is_smooth())
+    set_events(history, events_between(run.steps(), run.grid().time_step));
   return history;
 }
 
@@ -57,14 +58,14 @@ History history_of(const data::Case& problem, const Sampling& sampling,
 
 double boundary_integral_step(const data::Case& problem) {
   constexpr double steps_per_period = 20000.0;
-  const double highest = std::max(problem.excitation.frequency_hz(),
-                                  analytic::stick_modes(problem.beam, 1).front().frequency_hz());
+  const double highest = std::max(problem.excitation().frequency_hz(),
+                                  analytic::stick_modes(problem.beam(), 1).front().frequency_hz());
   const double rated = problem.numerics.time_step(),
-               kappa = weakening(problem.friction, problem.beam.axial_force());
+               kappa = weakening(problem.contact.friction, problem.beam().axial_force());
   double step = rated;
   while (step * highest * steps_per_period > 1.0) step *= 0.5;
   // Each step has one solution, and of twice the step, which History::step_effect takes. Of a law that jumps none has.
-  const analytic::TipMobility mobility(problem.beam, problem.damping);
+  const analytic::TipMobility mobility(problem.beam(), problem.damping);
   const auto has_one_solution = [&](double h) {
     return kappa * analytic::mobility_weights(mobility, h, 1, analytic::usual_stages).front() < 1.0;
   };

@@ -42,7 +42,7 @@ std::vector<double> rates_of(const analytic::ContactModel& model, solver::Initia
 History event_driven_history(const data::Case& problem, const Sampling& sampling, const RunChoices& choices,
                              const RowSink& sink) {
   const analytic::BeamContactModel beam(problem, problem.numerics.modes());
-  const std::vector<double> midspan = beam.shapes(0.5 * problem.beam.length());
+  const std::vector<double> midspan = beam.shapes(0.5 * problem.beam().length());
   std::vector<std::vector<double>> shapes;
   for (const double x : sampling.positions) shapes.push_back(beam.shapes(x));
   analytic::EventDriven run(beam.model());
@@ -74,9 +74,9 @@ History event_driven_history(const analytic::ContactModel& model, const std::vec
 
 History closed_form_history(const data::Case& problem, const Sampling& sampling,
                             analytic::SteadyPart steady_part, const RowSink& sink) {
-  const analytic::StickResponse response(problem.beam, problem.excitation, problem.numerics.modes(),
+  const analytic::StickResponse response(problem.beam(), problem.excitation(), problem.numerics.modes(),
                                          steady_part);
-  const double length = problem.beam.length(), limit = friction_limit(problem);
+  const double length = problem.beam().length(), limit = friction_limit(problem);
   History history;
   for_each_row(problem, sampling, [&](long, double time) {
     HistoryRow row{.time = time,

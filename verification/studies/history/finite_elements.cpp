@@ -41,7 +41,7 @@ History finite_element_history(const data::Case& problem, const Sampling& sampli
     add_row(problem, history, sink, std::move(row));
   }));
   auto events = simulation.integrator().events();
-  for (auto& event : events) event.position += problem.wall.speed() * event.time;
+  for (auto& event : events) event.position += problem.contact.wall.speed() * event.time;
   set_events(history, std::move(events));
   return history;
 }

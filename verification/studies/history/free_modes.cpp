@@ -42,16 +42,16 @@ History free_mode_history(const data::Case& problem, const Sampling& sampling, i
   });
   const auto count = static_cast<std::size_t>(last * steps_per_time_step);
   std::vector<double> positions = sampling.positions;
-  if (sampling.with_midspan) positions.push_back(0.5 * problem.beam.length());
-  const int modes = free_modes_for(problem.beam, h);
+  if (sampling.with_midspan) positions.push_back(0.5 * problem.beam().length());
+  const int modes = free_modes_for(problem.beam(), h);
   std::vector<std::vector<double>> shapes;
-  if (!positions.empty()) shapes = shapes_at(positions, analytic::slip_modes(problem.beam, modes));
-  const analytic::StickResponse held(problem.beam, problem.excitation, held_modes,
+  if (!positions.empty()) shapes = shapes_at(positions, analytic::slip_modes(problem.beam(), modes));
+  const analytic::StickResponse held(problem.beam(), problem.excitation(), held_modes,
                                      analytic::SteadyPart::exact);
   const std::vector<double> holding_force =
-      analytic::holding_force(problem.beam, problem.excitation, {}, {h, count});
-  analytic::FreeModeRun run(analytic::free_modes(problem.beam, modes),
-                            {problem.beam.axial_force(), problem.friction}, h);
+      analytic::holding_force(problem.beam(), problem.excitation(), {}, {h, count});
+  analytic::FreeModeRun run(analytic::free_modes(problem.beam(), modes),
+                            {problem.beam().axial_force(), problem.contact.friction}, h);
   History history;
   std::vector<analytic::ContactStep> steps;
   double tip = 0.0;

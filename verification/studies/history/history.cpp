@@ -47,7 +47,7 @@ void Bending::include(const HistoryRow& row, double length) {
 void require_bounded(const data::Case& problem, double deflection, double time, const std::string& motion) {
   if (!std::isfinite(deflection))
     data::throw_overflow(fmt::format("{} is not finite at {:.6g} s", motion, time));
-  if (std::abs(deflection) <= most_deflection * (problem.beam.length() + problem.excitation.amplitude()))
+  if (std::abs(deflection) <= most_deflection * (problem.beam().length() + problem.excitation().amplitude()))
     return;
   throw data::InputError(fmt::format(
       "{} is stopped at {:.6g} s: the tip is deflected by {:.3g} m, more than {:.0f} times the length of "
@@ -65,10 +65,12 @@ void add_row(const data::Case& problem, History& history, const RowSink& sink, H
 
 void hold_to_law(const data::Case& problem, History& history, const HistoryRow& row) {
   constexpr double rounding = 1e-9;
-  const double force = problem.beam.axial_force(), limit = problem.friction.static_coefficient() * force,
+  const double force = problem.beam().axial_force(),
+               limit = problem.contact.friction.static_coefficient() * force,
                speed = std::abs(row.sliding_velocity);
-  const bool is_rigid = problem.contact.is_rigid(), sticks = row.state == data::ContactState::stick;
-  const double sliding = solver::friction_coefficient(problem.friction.in_slip(), speed) * force;
+  const bool is_rigid = problem.contact.compliance.is_rigid(),
+             sticks = row.state == data::ContactState::stick;
+  const double sliding = solver::friction_coefficient(problem.contact.friction.in_slip(), speed) * force;
   const double largest = sticks && is_rigid ? limit : std::max(sliding, is_rigid ? 0.0 : limit);
   bool holds = std::abs(row.friction_force) <= largest + rounding * limit;
   if (is_rigid && sticks) holds = holds && speed == 0.0;
@@ -165,9 +167,9 @@ long usual_row_step(const data::Case& problem, double span) {
   constexpr double in_a_base_period = 100.0, in_a_natural_period = 20.0, in_all = 2000.0;
   constexpr long longest = 1'000'000'000;
   const double natural =
-      analytic::modal_forces(problem.beam, 1).front().angular_frequency / (2.0 * std::numbers::pi);
+      analytic::modal_forces(problem.beam(), 1).front().angular_frequency / (2.0 * std::numbers::pi);
   const double rows_per_second = std::max(
-      {in_a_base_period * problem.excitation.frequency_hz(), in_a_natural_period * natural, in_all / span});
+      {in_a_base_period * problem.excitation().frequency_hz(), in_a_natural_period * natural, in_all / span});
   const double most = (1.0 + 1e-9) / (rows_per_second * problem.numerics.time_step());
   long usual = 1;
   for (long power = 1; power < longest; power *= 10)
@@ -179,10 +181,10 @@ long usual_row_step(const data::Case& problem, double span) {
 SpectrumWindow spectrum_window(const data::Case& problem, long every) {
   constexpr double rounding = 1e-9;
   constexpr long long most_rows = 4'000'000;
-  const bool rests = problem.excitation.amplitude() == 0.0;
+  const bool rests = problem.excitation().amplitude() == 0.0;
   const double row_step = static_cast<double>(every) * problem.numerics.time_step(),
                half = 0.5 * problem.numerics.duration(),
-               period = rests ? half : 1.0 / problem.excitation.frequency_hz();
+               period = rests ? half : 1.0 / problem.excitation().frequency_hz();
   const double periods = std::floor(half / period + rounding);
   const auto rows = std::llround(periods * period / row_step);
   if (periods < 1.0)

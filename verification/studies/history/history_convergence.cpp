@@ -64,7 +64,7 @@ Run run_free_modes(const data::Case& problem, const ConvergedEffort& effort, int
   const data::Case at = sampled(problem, effort);
   const double step = at.numerics.time_step() / steps_per_sample;
   return run_of(free_mode_history(at, {.with_midspan = effort.with_midspan}, steps_per_sample),
-                {.method = "free modes", .modes = free_modes_for(problem.beam, step), .time_step = step},
+                {.method = "free modes", .modes = free_modes_for(problem.beam(), step), .time_step = step},
                 effort);
 }
 
@@ -151,14 +151,14 @@ constexpr double observed_until = 0.1;
 solver::ContactSystem system_of(const data::Case& problem, const solver::BeamModel& mesh, double change,
                                 double radiating_share) {
   const data::HarmonicExcitation excitation(
-      {problem.excitation.frequency_hz(), problem.excitation.amplitude() * (1.0 + change)});
+      {problem.excitation().frequency_hz(), problem.excitation().amplitude() * (1.0 + change)});
   const auto system =
-      solver::beam_contact_system(mesh, problem.friction, solver::harmonic_motion(excitation));
+      solver::beam_contact_system(mesh, problem.contact.friction, solver::harmonic_motion(excitation));
   if (radiating_share == 0.0) return system;
-  const data::Beam& beam = problem.beam;
+  const data::Beam& beam = problem.beam();
   return with_radiating_contact(
       system, radiating_share * beam.density() * beam.area() * beam.length() / mesh.elements(),
-      weakening(problem.friction, beam.axial_force()));
+      weakening(problem.contact.friction, beam.axial_force()));
 }
 
 // Like finite_element_history(), for a system with a radiating contact. In the frame of the base the wall moves
@@ -192,8 +192,8 @@ ConvergedHistory converged_history(const data::Case& problem, const ConvergedEff
   const Run &finest = runs.integrals.front(), &coarser = runs.integrals[1], &other = runs.modal.front();
 
   ConvergedHistory history;
-  history.frequency_hz = problem.excitation.frequency_hz();
-  history.amplitude = problem.excitation.amplitude();
+  history.frequency_hz = problem.excitation().frequency_hz();
+  history.amplitude = problem.excitation().amplitude();
   for (int i = 0; i <= effort.samples; ++i) history.time.push_back(effort.duration * i / effort.samples);
   history.tip_range = range_of(finest.tip);
   if (effort.with_midspan) history.midspan_range = range_of(finest.midspan);
@@ -218,8 +218,8 @@ ConvergedHistory published_history(const data::Case& problem, const std::string&
                                    ConvergedEffort effort) {
   const data::ReferenceTable table = data::read_table(data::load_reference(), data_set);
   ConvergedHistory history;
-  history.frequency_hz = problem.excitation.frequency_hz();
-  history.amplitude = problem.excitation.amplitude();
+  history.frequency_hz = problem.excitation().frequency_hz();
+  history.amplitude = problem.excitation().amplitude();
   history.time = table.column("time").values;
   history.tip = table.column("tip_displacement").values;
   history.tip_half_width = table.radius_of("tip_displacement");
@@ -266,29 +266,30 @@ HistoryRun history_run(const data::Case& problem, const ConvergedHistory& refere
   const double duration = reference.time.back();
   const data::Case at = refined(problem, elements, sample / every, duration, spectral_radius);
   const double step = at.numerics.time_step();
-  const solver::BeamModel mesh(problem.beam, elements);
+  const solver::BeamModel mesh(problem.beam(), elements);
   const auto history = [&](double change) {
     if (radiating_share > 0.0)
       return radiating_history(mesh, system_of(problem, mesh, change, radiating_share),
                                {.time_step = step, .spectral_radius = spectral_radius}, duration, every);
     const data::Case changed =
-        with_value(at, "excitation.amplitude", problem.excitation.amplitude() * (1.0 + change));
+        with_value(at, "excitation.amplitude", problem.excitation().amplitude() * (1.0 + change));
     return finite_element_history(changed, {.every = every}, {.coordinates = solver::Coordinates::modal});
   };
   const History run = history(0.0);
   const solver::ContactMobility mobility(system_of(problem, mesh, 0.0, radiating_share));
-  HistoryRun result{.method = "located in the step",
-                    .elements = elements,
-                    .time_step = step,
-                    .spectral_radius = spectral_radius,
-                    .changes = static_cast<int>(run.events.size()),
-                    .highest_angle = mobility.angular_frequencies().maxCoeff() * step,
-                    .growth_bound = growth_bound(stepped_contact(mobility, step, spectral_radius),
-                                                 weakening(problem.friction, problem.beam.axial_force()))};
+  HistoryRun result{
+      .method = "located in the step",
+      .elements = elements,
+      .time_step = step,
+      .spectral_radius = spectral_radius,
+      .changes = static_cast<int>(run.events.size()),
+      .highest_angle = mobility.angular_frequencies().maxCoeff() * step,
+      .growth_bound = growth_bound(stepped_contact(mobility, step, spectral_radius),
+                                   weakening(problem.contact.friction, problem.beam().axial_force()))};
   result.error = largest_difference(tip_displacements(run), reference.tip) / reference.tip_range;
   if (observe_growth)
     result.observed_growth =
-        growth_rate(run, history(HistoryRun::perturbation), 1.0 / problem.excitation.frequency_hz(),
+        growth_rate(run, history(HistoryRun::perturbation), 1.0 / problem.excitation().frequency_hz(),
                     observed_until * reference.tip_range);
   return result;
 }
@@ -298,14 +299,14 @@ HistoryRefinement history_refinement(const data::Case& problem, const ConvergedH
                                      int observed_elements) {
   HistoryRefinement refinement;
   refinement.rule = rule;
-  refinement.frequency_hz = problem.excitation.frequency_hz();
-  refinement.beam_growth_bound = beam_growth_bound(problem.beam, problem.friction);
+  refinement.frequency_hz = problem.excitation().frequency_hz();
+  refinement.beam_growth_bound = beam_growth_bound(problem.beam(), problem.contact.friction);
   std::vector<double> lengths, errors;
   for (const int count : elements) {
-    refinement.runs.push_back(history_run(problem, reference, count, time_step_of(rule, problem.beam, count),
-                                          rule.spectral_radius, count <= observed_elements,
-                                          rule.radiating_share));
-    lengths.push_back(problem.beam.length() / count);
+    refinement.runs.push_back(history_run(problem, reference, count,
+                                          time_step_of(rule, problem.beam(), count), rule.spectral_radius,
+                                          count <= observed_elements, rule.radiating_share));
+    lengths.push_back(problem.beam().length() / count);
     errors.push_back(refinement.runs.back().error);
   }
   refinement.order = order_estimate(lengths, errors);

@@ -123,12 +123,12 @@ void Method::require(const data::Case& problem, const RunChoices& choices) const
   require_zero(Feature::kelvin_voigt, "damping.kelvin_voigt", problem.damping.kelvin_voigt());
   require_zero(Feature::damping_ratio, "damping.ratio", problem.damping.ratio());
   if (const auto reason = refused.find(Feature::yielding_contact); reason != refused.end())
-    data::require_rigid(problem.contact, fmt::format(fmt::runtime(reason->second), name));
+    data::require_rigid(problem.contact.compliance, fmt::format(fmt::runtime(reason->second), name));
   for (const auto& [scheme, value] : contact_schemes())
     if (choices.scheme == value && value != solver::ContactScheme::located)
-      data::require_rigid(problem.contact, "--scheme " + scheme);
-  require_zero(Feature::moving_wall, "wall.speed", problem.wall.speed());
-  require_zero(Feature::shear, "beam.shear_stiffness", problem.beam.shear_stiffness());
+      data::require_rigid(problem.contact.compliance, "--scheme " + scheme);
+  require_zero(Feature::moving_wall, "wall.speed", problem.contact.wall.speed());
+  require_zero(Feature::shear, "beam.shear_stiffness", problem.beam().shear_stiffness());
   require_feasible(problem);
 }
 
@@ -148,15 +148,15 @@ std::string table_of_methods() {
 
 void require_periods(const data::Case& problem, double most_periods) {
   const double natural =
-      analytic::modal_forces(problem.beam, problem.numerics.modes()).back().angular_frequency /
+      analytic::modal_forces(problem.beam(), problem.numerics.modes()).back().angular_frequency /
       (2.0 * std::numbers::pi);
-  const double highest = std::max(natural, problem.excitation.frequency_hz());
+  const double highest = std::max(natural, problem.excitation().frequency_hz());
   if (problem.numerics.duration() * highest <= most_periods) return;
   throw data::FieldError(
       "excitation.duration", data::shortest_text(problem.numerics.duration()),
       fmt::format("at most {:.3g} s, {} periods of {}, {:.3g} Hz", most_periods / highest,
                   most_periods == most_periods_by_events ? "a million" : "a hundred million",
-                  natural > problem.excitation.frequency_hz()
+                  natural > problem.excitation().frequency_hz()
                       ? fmt::format("natural frequency {}", problem.numerics.modes())
                       : "the excitation",
                   highest));

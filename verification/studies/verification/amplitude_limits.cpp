@@ -53,14 +53,14 @@ AmplitudeLimits amplitude_limits(const data::Case& paper, const data::Case& damp
   AmplitudeLimits study;
   study.contact_stiffness = 1000.0;
   study.resonance = 0.1;
-  const data::Beam& beam = paper.beam;
+  const data::Beam& beam = paper.beam();
   const int modes = paper.numerics.modes();
   const double friction = friction_limit(paper), duration = paper.numerics.duration();
   const double tip_stiffness =
       3.0 * beam.youngs_modulus() * beam.second_moment_of_area() / std::pow(beam.length(), 3);
   const auto reaction = analytic::modal_reaction(beam, modes);
   const auto sheared = analytic::modal_reaction(with_shear(beam), modes);
-  const auto fixed = analytic::modal_reaction(with_value(paper, "beam.axial_direction", 1.0).beam, modes);
+  const auto fixed = analytic::modal_reaction(with_value(paper, "beam.axial_direction", 1.0).beam(), modes);
   const auto decaying = analytic::damped_reaction(beam, damped.damping, modes);
   const auto compliant =
       analytic::compliant_reaction(beam, {}, study.contact_stiffness * tip_stiffness, modes);

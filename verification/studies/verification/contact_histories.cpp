@@ -73,12 +73,12 @@ std::string published_set(const data::PrintedVerdict& panel) {
 }  // namespace
 
 std::optional<double> closed_form_first_slip(const data::Case& problem) {
-  const analytic::StickResponse response(problem.beam, problem.excitation, closed_form_modes,
+  const analytic::StickResponse response(problem.beam(), problem.excitation(), closed_form_modes,
                                          analytic::SteadyPart::exact);
   const double limit = friction_limit(problem);
   const auto exceeded = [&](double t) { return std::abs(response.friction_force(t)) > limit; };
   const double scan =
-      std::min(1.0 / problem.excitation.frequency_hz(), 1.0 / response.modes().front().frequency_hz()) /
+      std::min(1.0 / problem.excitation().frequency_hz(), 1.0 / response.modes().front().frequency_hz()) /
       2000.0;
   const long samples = std::lround(problem.numerics.duration() / scan);
   for (long n = 1; n <= samples; ++n) {
@@ -96,8 +96,8 @@ std::optional<double> closed_form_first_slip(const data::Case& problem) {
 
 ContactHistory contact_history(const data::Case& problem, double shown, const std::string& data_set) {
   ContactHistory history;
-  history.frequency_hz = problem.excitation.frequency_hz();
-  history.amplitude = problem.excitation.amplitude();
+  history.frequency_hz = problem.excitation().frequency_hz();
+  history.amplitude = problem.excitation().amplitude();
   history.finite_element_slip = solver::first_slip(problem);
   history.criterion_slips = criterion_of(problem).verdict == analytic::Verdict::stick_slip;
   if (history.criterion_slips) {
@@ -131,7 +131,7 @@ std::vector<ContactHistory> contact_histories(const data::Case& paper, double sh
 }
 
 std::vector<HistoryRun> usual_practice(data::Case problem, const ConvergedHistory& converged) {
-  problem.excitation = data::HarmonicExcitation({converged.frequency_hz, converged.amplitude});
+  problem.motion = data::HarmonicExcitation({converged.frequency_hz, converged.amplitude});
   const data::NumericalSettings& numerics = problem.numerics;
   const double duration = converged.time.back(), spacing = converged.time[1];
   const int elements = numerics.elements();
@@ -185,7 +185,7 @@ Sampling snapshots_of(const data::Case& problem, double start, double length, in
   for (int i = 0; i < snapshots; ++i)
     sampling.times.push_back(std::round((start + length * i / (snapshots - 1)) / time_step) * time_step);
   for (int i = 0; i < positions; ++i)
-    sampling.positions.push_back(problem.beam.length() * i / (positions - 1));
+    sampling.positions.push_back(problem.beam().length() * i / (positions - 1));
   return sampling;
 }
 
@@ -204,14 +204,14 @@ double largest_difference(const History& a, const History& b, double until) {
 }
 
 double predicted_stick_difference(const data::Case& problem, const Sampling& snapshots, double until) {
-  const double omega = angular_frequency(problem.excitation);
+  const double omega = angular_frequency(problem.excitation());
   const double step = problem.numerics.time_step();
-  const analytic::StickResponse response(problem.beam, problem.excitation, closed_form_modes,
+  const analytic::StickResponse response(problem.beam(), problem.excitation(), closed_form_modes,
                                          analytic::SteadyPart::exact);
   std::vector<SteppedResponse> stepped;
   for (const auto& mode : response.modes())
     stepped.push_back(stepped_from_rest(problem.numerics.spectral_radius(),
-                                        frequency_on_mesh(problem.beam, mode, problem.numerics.elements()),
+                                        frequency_on_mesh(problem.beam(), mode, problem.numerics.elements()),
                                         omega, step));
   double largest = 0.0, largest_motion = 0.0;
   for (const double t : snapshots.times) {
@@ -224,7 +224,7 @@ double predicted_stick_difference(const data::Case& problem, const Sampling& sna
                         (stepped[k].at(std::lround(t / step), omega * step) -
                          modal_coordinate(omega, mode.angular_frequency(), t)));
       }
-      largest = std::max(largest, problem.excitation.amplitude() * sum);
+      largest = std::max(largest, problem.excitation().amplitude() * sum);
       largest_motion = std::max(largest_motion, std::abs(response.absolute_displacement(x, t)));
     }
   }
@@ -233,8 +233,8 @@ double predicted_stick_difference(const data::Case& problem, const Sampling& sna
 
 BeamMotionStudy beam_motion_study(const data::Case& problem, int snapshots, int positions) {
   BeamMotionStudy study;
-  study.frequency_hz = problem.excitation.frequency_hz();
-  study.amplitude = problem.excitation.amplitude();
+  study.frequency_hz = problem.excitation().frequency_hz();
+  study.amplitude = problem.excitation().amplitude();
   study.first_slip = closed_form_first_slip(problem);
   const double period = 1.0 / study.frequency_hz;
   const double start = study.first_slip ? std::max(0.0, *study.first_slip - 0.25 * period) : 0.0;
@@ -260,10 +260,10 @@ BeamMotionStudy beam_motion_study(const data::Case& problem, int snapshots, int 
 
 StickHistoryStudy stick_history_study(const data::Case& problem, int levels) {
   StickHistoryStudy study;
-  const data::Beam& beam = problem.beam;
+  const data::Beam& beam = problem.beam();
   const data::NumericalSettings& numerics = problem.numerics;
   const double midspan = 0.5 * beam.length();
-  const analytic::StickResponse exact(beam, problem.excitation, 200, analytic::SteadyPart::exact);
+  const analytic::StickResponse exact(beam, problem.excitation(), 200, analytic::SteadyPart::exact);
   const auto displacement = exact.absolute_displacement(midspan);
   const long samples = solver::step_count(numerics.duration(), numerics.time_step());
   for (long n = 0; n <= samples; ++n) {

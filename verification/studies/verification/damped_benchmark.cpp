@@ -33,11 +33,11 @@ class Benchmark {
   Benchmark(const data::Case& problem, const BenchmarkEffort& effort) : problem_(problem), effort_(effort) {}
 
   [[nodiscard]] DampedBenchmark run() {
-    result_.frequency_hz = problem_.excitation.frequency_hz();
-    result_.amplitude = problem_.excitation.amplitude();
+    result_.frequency_hz = problem_.excitation().frequency_hz();
+    result_.amplitude = problem_.excitation().amplitude();
     result_.kelvin_voigt = problem_.damping.kelvin_voigt();
     result_.duration = effort_.duration;
-    result_.damping_ratio = std::numbers::pi * result_.kelvin_voigt * stick_hz(problem_.beam, 1);
+    result_.damping_ratio = std::numbers::pi * result_.kelvin_voigt * stick_hz(problem_.beam(), 1);
     result_.tolerance = reference_tolerance;
     result_.shortest_stick = least_stick;
     result_.modes = effort_.modes;

@@ -98,10 +98,11 @@ Eigen::VectorXd FiniteElementContactModel::full(const std::vector<double>& ampli
 }
 
 analytic::ContactModel finite_element_contact_model(const data::Case& problem, int elements) {
-  const solver::BeamModel mesh(problem.beam, elements);
-  const solver::PrescribedMotion base = solver::harmonic_motion(problem.excitation);
-  return FiniteElementContactModel(solver::beam_contact_system(mesh, problem.friction, base, problem.damping),
-                                   angular_frequency(problem.excitation))
+  const solver::BeamModel mesh(problem.beam(), elements);
+  const solver::PrescribedMotion base = solver::harmonic_motion(problem.excitation());
+  return FiniteElementContactModel(
+             solver::beam_contact_system(mesh, problem.contact.friction, base, problem.damping),
+             angular_frequency(problem.excitation()))
       .model();
 }
 

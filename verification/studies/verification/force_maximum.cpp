@@ -41,9 +41,9 @@ double ForceMaximumStudy::printed_difference() const {
 }
 
 ForceMaximumStudy force_maximum_study(const data::Case& problem) {
-  const data::HarmonicExcitation& excitation = problem.excitation;
-  const analytic::StickResponse truncated(problem.beam, excitation, problem.numerics.modes());
-  const analytic::StickResponse converged(problem.beam, excitation, reference_modes,
+  const data::HarmonicExcitation& excitation = problem.excitation();
+  const analytic::StickResponse truncated(problem.beam(), excitation, problem.numerics.modes());
+  const analytic::StickResponse converged(problem.beam(), excitation, reference_modes,
                                           analytic::SteadyPart::exact);
   const PredictedForce predicted(problem);
   const double duration = problem.numerics.duration();

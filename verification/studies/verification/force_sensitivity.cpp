@@ -36,7 +36,7 @@ double true_maximum(const data::Beam& beam, const data::HarmonicExcitation& exci
 
 // All modes in continuous time. The bounds include the possible contribution of the omitted free vibrations.
 analytic::Bounds problem_bounds(const data::Case& paper, double hz) {
-  const analytic::StickResponse response(paper.beam, printed_excitation(hz), all_modes,
+  const analytic::StickResponse response(paper.beam(), printed_excitation(hz), all_modes,
                                          analytic::SteadyPart::exact);
   const analytic::Bounds kept = response.max_abs_friction_force(paper.numerics.duration(), relative_width);
   const double omitted = response.omitted_transient_bound();
@@ -81,7 +81,7 @@ class RowPlans {
   }
 
   void add_closed_form() {
-    const data::Beam& beam = paper_.beam;
+    const data::Beam& beam = paper_.beam();
     const int modes = paper_.numerics.modes();
     const double duration = paper_.numerics.duration();
     add("closed form", fmt::format("N = {}, continuous time", modes),
@@ -175,7 +175,7 @@ std::vector<double> sampled_maxima(const data::Case& paper, double hz, int modes
   std::vector<double> steady;
   std::vector<Phasor> free;
   for (int n = 1; n <= modes; ++n) {
-    const analytic::StickResponse response(paper.beam, excitation, n);
+    const analytic::StickResponse response(paper.beam(), excitation, n);
     steady.push_back(response.steady_force_amplitude());
     const analytic::Sinusoid last = response.transient_force().back();
     free.push_back(phasor(last.amplitude, last.angular_frequency));

@@ -72,7 +72,7 @@ ModelPlane direction_plane(const FigurePlane& figure, const CriterionMap& follow
   count_cells(plane, follower, criterion_map({.problem = dead, .x = figure.x, .y = figure.y}));
   for (const CriterionMap::Cell& cell : follower.cells) {
     const data::Beam beam =
-        with_value(with_value(dead, figure.x.parameter, cell.x), figure.y.parameter, cell.y).beam;
+        with_value(with_value(dead, figure.x.parameter, cell.x), figure.y.parameter, cell.y).beam();
     if (cell.force_ratio && beam.axial_force() >= analytic::slip_critical_load(beam)) ++plane.buckled;
   }
   return plane;
@@ -81,12 +81,12 @@ ModelPlane direction_plane(const FigurePlane& figure, const CriterionMap& follow
 // |f_max| per metre of amplitude, N/m, or nothing if no state of stick is stable.
 std::optional<double> unit_force(const data::Case& problem, const ModelVariant& variant) {
   constexpr double bound_width = 1e-6;
-  const data::Beam& beam = problem.beam;
+  const data::Beam& beam = problem.beam();
   const data::Damping damping({.ratio = variant.damping_ratio});
-  const double omega = angular_frequency(problem.excitation), duration = problem.numerics.duration();
+  const double omega = angular_frequency(problem.excitation()), duration = problem.numerics.duration();
   const int modes = problem.numerics.modes();
   if (!std::isfinite(variant.stiffness_ratio))
-    return analytic::largest_unit_force(beam, damping, problem.excitation.frequency_hz(), duration, modes,
+    return analytic::largest_unit_force(beam, damping, problem.excitation().frequency_hz(), duration, modes,
                                         analytic::SteadyPart::exact, bound_width)
         .midpoint();
   const double stiffness = variant.stiffness_ratio * 3.0 * beam.youngs_modulus() *
@@ -116,14 +116,14 @@ ModelPlane variant_plane(const FigurePlane& figure, const ModelVariant& variant)
   std::vector<ForcePair> forces(rows * columns);
   in_parallel(forces.size(), [&](std::size_t index) {
     const data::Case cell = case_at(index % columns, index / columns);
-    if (cell.beam.axial_force() >= analytic::stick_buckling_load(cell.beam)) return;
+    if (cell.beam().axial_force() >= analytic::stick_buckling_load(cell.beam())) return;
     forces[index] = {unit_force(cell, {}), unit_force(cell, variant)};
   });
   for (std::size_t j = 0; j < y.values.size(); ++j)
     for (std::size_t i = 0; i < columns; ++i) {
       auto [without, with] = forces[(y_is_factor ? 0 : j) * columns + i];
       const data::Case cell = case_at(i, j);
-      const double unit_ratio = cell.excitation.amplitude() / friction_limit(cell);
+      const double unit_ratio = cell.excitation().amplitude() / friction_limit(cell);
       if (without) *without *= unit_ratio;
       if (with) *with *= unit_ratio;
       count_cell(plane, without, with);
@@ -139,7 +139,7 @@ ModelForm model_form(const data::Case& paper, const data::Case& half_stiffness,
   for (const FigurePlane& figure : figure_planes(paper, half_stiffness, flat_section, lengths, 1)) {
     const CriterionMap slender = criterion_map({.problem = figure.problem, .x = figure.x, .y = figure.y});
     result.planes.push_back(direction_plane(figure, slender));
-    const data::Case sheared = with(figure.problem, with_shear(figure.problem.beam));
+    const data::Case sheared = with(figure.problem, with_shear(figure.problem.beam()));
     count_cells(result.shear.emplace_back(ModelPlane{.figures = figure.figures}), slender,
                 criterion_map({.problem = sheared, .x = figure.x, .y = figure.y}));
   }

@@ -42,7 +42,7 @@ double frequency_of_smallest_critical_amplitude(const std::vector<double>& frequ
 
 double closed_form_force(const data::Case& paper, double hz) {
   const data::HarmonicExcitation unit({.frequency_hz = hz, .amplitude = 1e-3});
-  return analytic::StickResponse(paper.beam, unit, paper.numerics.modes())
+  return analytic::StickResponse(paper.beam(), unit, paper.numerics.modes())
       .max_abs_friction_force(paper.numerics.duration(), 1e-6)
       .midpoint();
 }
@@ -53,7 +53,7 @@ double finite_element_force(const data::Case& paper, double hz) {
 }
 
 double sampled_force(const data::Case& paper, double hz, std::optional<double> step = std::nullopt) {
-  return analytic::StickResponse(paper.beam, printed_excitation(hz), paper.numerics.modes())
+  return analytic::StickResponse(paper.beam(), printed_excitation(hz), paper.numerics.modes())
       .sampled_max_abs_friction_force(paper.numerics.duration(), step.value_or(paper.numerics.time_step()))
       .lower;
 }
@@ -62,9 +62,9 @@ double sampled_force(const data::Case& paper, double hz, std::optional<double> s
 // the initial velocity -S h_t(0), which cancels that of the quasi-static shape.
 double force_from_rest(const data::Case& paper, double hz, int modes) {
   const data::HarmonicExcitation excitation = printed_excitation(hz);
-  const analytic::StickResponse response(paper.beam, excitation, modes);
-  const double length = paper.beam.length();
-  const double stiffness = paper.beam.youngs_modulus() * paper.beam.second_moment_of_area();
+  const analytic::StickResponse response(paper.beam(), excitation, modes);
+  const double length = paper.beam().length();
+  const double stiffness = paper.beam().youngs_modulus() * paper.beam().second_moment_of_area();
   const double base_velocity = two_pi * hz * excitation.amplitude();
   std::vector<analytic::Sinusoid> initial_vibrations;
   for (const analytic::StickMode& mode : response.modes()) {
@@ -112,9 +112,9 @@ void add_frequency_checks(const data::Case& paper, std::vector<PrintedCheck>& ch
   };
   for (int mode = 1; mode <= 3; ++mode) {
     const std::string id = fmt::format("frequency.stick.{}", mode);
-    add(id, paper.beam, mode);
-    add(id + ".half_stiffness", half_stiff(paper.beam), mode);
-    if (mode < 3) add(id + ".figure7", paper.beam, mode);
+    add(id, paper.beam(), mode);
+    add(id + ".half_stiffness", half_stiff(paper.beam()), mode);
+    if (mode < 3) add(id + ".figure7", paper.beam(), mode);
   }
 }
 
@@ -129,7 +129,7 @@ std::string figure14_length_id(int mode) { return fmt::format("figure14.length.{
 
 // The length at which the natural frequency of a mode is 25 Hz.
 double figure14_length(int mode, double axial_force) {
-  const data::Beam section = data::load_case("paper-figure14").beam;
+  const data::Beam section = data::load_case("paper-figure14").beam();
   return resonance_length(with(section, &data::BeamProperties::axial_force, axial_force), mode, 25.0).value();
 }
 
@@ -154,15 +154,15 @@ void add_figure_checks(const data::Case& paper, std::vector<PrintedCheck>& check
 void add_section_errata(const data::Case& paper, std::vector<ErratumEvidence>& evidence) {
   const double printed_inertia = data::printed_number("parameter.second_moment_of_area").value;
   const data::Beam as_printed =
-      with(paper.beam, &data::BeamProperties::second_moment_of_area, printed_inertia);
+      with(paper.beam(), &data::BeamProperties::second_moment_of_area, printed_inertia);
   for (int mode = 1; mode <= 2; ++mode) {
     const data::PrintedNumber printed = data::printed_number(fmt::format("frequency.stick.{}", mode));
     evidence.push_back({"E1", fmt::format("stick frequency {}", mode), "Hz", stick_hz(as_printed, mode),
-                        stick_hz(paper.beam, mode), printed.value, printed.half_digit});
+                        stick_hz(paper.beam(), mode), printed.value, printed.half_digit});
   }
-  const analytic::StickMode first = analytic::stick_modes(paper.beam, 1).front();
+  const analytic::StickMode first = analytic::stick_modes(paper.beam(), 1).front();
   const double p =
-      paper.beam.axial_force() / (paper.beam.youngs_modulus() * paper.beam.second_moment_of_area());
+      paper.beam().axial_force() / (paper.beam().youngs_modulus() * paper.beam().second_moment_of_area());
   const double k = std::pow(first.hyperbolic_wave_number() * first.trigonometric_wave_number(), 2);
   const double root = std::sqrt(0.25 * p * p + k);
   const auto residual = [&](double squared) { return (squared * squared - p * squared - k) / k; };
@@ -182,15 +182,15 @@ void add_force_errata(const data::Case& paper, std::vector<ErratumEvidence>& evi
                         0.01 * printed});
   evidence.push_back({"E5", "stick frequency 3 (corrected: extrapolated from 16 and 32 elements)", "Hz",
                       data::printed_number("frequency.stick.3").value,
-                      extrapolated_stick_hz(paper.beam, 3, 16), stick_hz(paper.beam, 3), 1e-3});
+                      extrapolated_stick_hz(paper.beam(), 3, 16), stick_hz(paper.beam(), 3), 1e-3});
 }
 
 void add_figure_errata(const data::Case& paper, std::vector<ErratumEvidence>& evidence) {
-  const FlutterStudy flutter = flutter_study(paper.beam, {8, 16});
+  const FlutterStudy flutter = flutter_study(paper.beam(), {8, 16});
   evidence.push_back(
       {"E8",
        "critical load of the slip state over EI/L^2 (printed, read as a dead load; corrected: follower)", "1",
-       dead_load_buckling(paper.beam, 16), flutter.finite_element.back(), flutter.closed_form, 1e-3});
+       dead_load_buckling(paper.beam(), 16), flutter.finite_element.back(), flutter.closed_form, 1e-3});
   for (int mode = 1; mode <= 2; ++mode) {
     const data::PrintedNumber printed = data::printed_number(figure14_length_id(mode));
     evidence.push_back({"E9", fmt::format("L{} (as printed: without P, corrected: P = 500 N)", mode), "m",
@@ -208,7 +208,7 @@ void add_figure_errata(const data::Case& paper, std::vector<ErratumEvidence>& ev
 }
 
 void add_sign_and_scaling_errata(const data::Case& paper, std::vector<ErratumEvidence>& evidence) {
-  const data::Case half = with(paper, half_stiff(paper.beam));
+  const data::Case half = with(paper, half_stiff(paper.beam()));
   // Tolerance 1 %: the modes above the tenth contribute 0.3 % of f for either beam (E6), and the error of the
   // mesh is about as large.
   const double closed_form = closed_form_force(half, 15.0) / closed_form_force(paper, 15.0);
@@ -217,9 +217,9 @@ void add_sign_and_scaling_errata(const data::Case& paper, std::vector<ErratumEvi
                       "|f_max| at 15 Hz with half of E I over that with E I (reference: finite elements)",
                       "1", 0.5, closed_form, finite_element, 0.01 * finite_element});
   // Per metre of base displacement with the tip held: u = S h.
-  const double shear = paper.beam.youngs_modulus() * paper.beam.second_moment_of_area() *
-                       analytic::QuasiStaticShape(paper.beam).third_derivative(paper.beam.length());
-  const solver::BeamModel model(paper.beam, paper.numerics.elements());
+  const double shear = paper.beam().youngs_modulus() * paper.beam().second_moment_of_area() *
+                       analytic::QuasiStaticShape(paper.beam()).third_derivative(paper.beam().length());
+  const solver::BeamModel model(paper.beam(), paper.numerics.elements());
   const double row = -(model.slip_stiffness() * model.unit_tip_deflection())[model.tip_deflection()];
   evidence.push_back(
       {"E13", "force of Eq. (9), static, tip held (as printed: f of Eq. 28, reference: finite elements)",
@@ -237,9 +237,10 @@ data::ClaimVerdict verdict_on(double printed, const analytic::Bounds& found, dou
 
 SampledForces sampled_forces(const data::Case& paper, double hz) {
   const data::PrintedNumber printed = printed_force(hz);
-  const double any_time = analytic::StickResponse(paper.beam, printed_excitation(hz), paper.numerics.modes())
-                              .max_abs_friction_force(paper.numerics.duration(), 1e-13)
-                              .midpoint();
+  const double any_time =
+      analytic::StickResponse(paper.beam(), printed_excitation(hz), paper.numerics.modes())
+          .max_abs_friction_force(paper.numerics.duration(), 1e-13)
+          .midpoint();
   SampledForces forces{.range = {any_time, any_time}, .printed_step = {}};
   for (int multiple = 1; multiple <= 100; ++multiple) {
     const double step = multiple * 1e-4, force = sampled_force(paper, hz, step);

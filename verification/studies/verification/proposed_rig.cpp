@@ -11,7 +11,7 @@ namespace stickslip::studies {
 
 ProposedRig proposed_rig(const std::string& name) {
   ProposedRig rig;
-  data::BeamProperties beam = data::load_case(name).beam.properties();
+  data::BeamProperties beam = data::load_case(name).beam().properties();
   for (const double length : {0.3, 0.4})
     for (const double load : {0.5, 1.0, 2.0, 3.0, 4.0}) {
       beam.length = length;

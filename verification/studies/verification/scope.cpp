@@ -32,12 +32,12 @@ ForceHorizon horizon(const analytic::StickResponse& response, double duration) {
 }  // namespace
 
 SteadyForce steady_force(const data::Case& paper, const std::vector<double>& durations) {
-  const analytic::StickResponse response(paper.beam, paper.excitation, kept_modes,
+  const analytic::StickResponse response(paper.beam(), paper.excitation(), kept_modes,
                                          analytic::SteadyPart::exact);
   const auto warnings = problem_warnings(paper, Inquiry::criterion);
   SteadyForce result{
-      .frequency_hz = paper.excitation.frequency_hz(),
-      .amplitude = paper.excitation.amplitude(),
+      .frequency_hz = paper.excitation().frequency_hz(),
+      .amplitude = paper.excitation().amplitude(),
       .steady = std::abs(response.steady_force_amplitude()),
       .grows = std::ranges::find(warnings, Concern::resonance, &Warning::concern) != warnings.end(),
       .horizons = {}};
@@ -46,25 +46,25 @@ SteadyForce steady_force(const data::Case& paper, const std::vector<double>& dur
 }
 
 SteadyDampedForce damped_force(const data::Case& damped) {
-  const analytic::DampedSteadyState steady(damped.beam, damped.excitation, damped.damping,
+  const analytic::DampedSteadyState steady(damped.beam(), damped.excitation(), damped.damping,
                                            analytic::TipSupport::held);
-  return {.frequency_hz = damped.excitation.frequency_hz(),
-          .amplitude = damped.excitation.amplitude(),
-          .ratio = 0.5 * damped.damping.kelvin_voigt() * two_pi * stick_hz(damped.beam, 1),
+  return {.frequency_hz = damped.excitation().frequency_hz(),
+          .amplitude = damped.excitation().amplitude(),
+          .ratio = 0.5 * damped.damping.kelvin_voigt() * two_pi * stick_hz(damped.beam(), 1),
           .steady = std::abs(steady.friction_force())};
 }
 
 SlenderForce slender_force(const data::Case& paper) {
-  const analytic::ModalReaction slender = analytic::modal_reaction(paper.beam, paper.numerics.modes());
+  const analytic::ModalReaction slender = analytic::modal_reaction(paper.beam(), paper.numerics.modes());
   const analytic::ModalReaction sheared =
-      analytic::modal_reaction(with_shear(paper.beam), paper.numerics.modes());
+      analytic::modal_reaction(with_shear(paper.beam()), paper.numerics.modes());
   const auto force_max = [&](const analytic::ModalReaction& reaction) {
-    return paper.excitation.amplitude() *
-           analytic::ForceMaximum(reaction, angular_frequency(paper.excitation), paper.numerics.duration())
+    return paper.excitation().amplitude() *
+           analytic::ForceMaximum(reaction, angular_frequency(paper.excitation()), paper.numerics.duration())
                .refined_to(1e-7)
                .midpoint();
   };
-  SlenderForce result{.frequency_hz = paper.excitation.frequency_hz(),
+  SlenderForce result{.frequency_hz = paper.excitation().frequency_hz(),
                       .model_errors = {},
                       .force_max = force_max(slender),
                       .shifted_force_max = force_max(sheared)};
@@ -75,7 +75,7 @@ SlenderForce slender_force(const data::Case& paper) {
 }
 
 SofterBeam softer_beam(const data::Case& paper, int last_hz) {
-  const data::Case softer = with_value(paper, "beam.youngs_modulus", 0.5 * paper.beam.youngs_modulus());
+  const data::Case softer = with_value(paper, "beam.youngs_modulus", 0.5 * paper.beam().youngs_modulus());
   const auto critical = [](const data::Case& problem, double hz) {
     return criterion_of(at(problem, hz, 1e-3), 1e-6).critical_amplitude.midpoint();
   };
@@ -102,16 +102,16 @@ LateSlips late_slips(const std::vector<double>& time, const std::vector<double>&
 }
 
 DimensionlessCase dimensionless(const data::Case& problem) {
-  const data::Beam& beam = problem.beam;
-  const double omega = angular_frequency(problem.excitation), natural = two_pi * stick_hz(beam, 1);
+  const data::Beam& beam = problem.beam();
+  const double omega = angular_frequency(problem.excitation()), natural = two_pi * stick_hz(beam, 1);
   const ForceMaximumStudy force = force_maximum_study(
-      with(problem, data::HarmonicExcitation({problem.excitation.frequency_hz(), 1e-3}), data::Damping()));
+      with(problem, data::HarmonicExcitation({problem.excitation().frequency_hz(), 1e-3}), data::Damping()));
   return {.name = problem.name,
           .load = beam.axial_force() / analytic::stick_buckling_load(beam),
           .slenderness = beam.length() * std::sqrt(beam.area() / beam.second_moment_of_area()),
           .frequency = omega / natural,
-          .friction = problem.friction.static_coefficient(),
-          .decay = problem.friction.decay() * problem.excitation.amplitude() * omega,
+          .friction = problem.contact.friction.static_coefficient(),
+          .decay = problem.contact.friction.decay() * problem.excitation().amplitude() * omega,
           .damping = problem.damping.ratio() + 0.5 * problem.damping.kelvin_voigt() * natural,
           .force_error = force.discretisation_difference(),
           .unpredicted =

@@ -64,14 +64,14 @@ double finite_element_hz(const data::Beam& beam, int mode, int elements) {
 }
 
 void add_frequencies(const data::Case& paper, std::vector<Plan>& plans) {
-  const data::Beam half = half_stiff(paper.beam);
+  const data::Beam half = half_stiff(paper.beam());
   const auto add = [&](const data::Beam& beam, int mode, const char* id_end, const char* name_end) {
     plans.push_back({fmt::format("frequency.stick.{}{}", mode, id_end),
                      fmt::format("stick frequency {}{}", mode, name_end), "Hz", false,
                      [=](const Settings& at) { return finite_element_hz(beam, mode, at.elements()); },
                      stick_hz(beam, mode), nullptr});
   };
-  for (int mode = 1; mode <= 3; ++mode) add(paper.beam, mode, "", "");
+  for (int mode = 1; mode <= 3; ++mode) add(paper.beam(), mode, "", "");
   for (int mode = 1; mode <= 3; ++mode) add(half, mode, ".half_stiffness", ", half stiffness");
 }
 
@@ -89,13 +89,13 @@ double finite_element_resonance_length(const data::Beam& section, int mode, doub
 
 void add_resonance_lengths(std::vector<Plan>& plans) {
   const data::Case figure = data::load_case("paper-figure14");
-  const double hz = figure.excitation.frequency_hz();
+  const double hz = figure.excitation().frequency_hz();
   for (int mode = 1; mode <= 2; ++mode) {
-    const double exact = resonance_length(figure.beam, mode, hz).value();
+    const double exact = resonance_length(figure.beam(), mode, hz).value();
     plans.push_back({fmt::format("figure14.length.{}", mode), fmt::format("L{} of the paper's Fig. 14", mode),
                      "m", false,
                      [=](const Settings& at) {
-                       return finite_element_resonance_length(figure.beam, mode, hz, at.elements(),
+                       return finite_element_resonance_length(figure.beam(), mode, hz, at.elements(),
                                                               0.95 * exact, 1.05 * exact);
                      },
                      exact, nullptr});
@@ -106,7 +106,7 @@ void add_force_maxima(const data::Case& paper, std::vector<Plan>& plans) {
   for (const double hz : printed_frequencies) {
     const data::HarmonicExcitation excitation = printed_excitation(hz);
     const double reference =
-        analytic::StickResponse(paper.beam, excitation, reference_modes, analytic::SteadyPart::exact)
+        analytic::StickResponse(paper.beam(), excitation, reference_modes, analytic::SteadyPart::exact)
             .max_abs_friction_force(paper.numerics.duration())
             .midpoint();
     plans.push_back(
@@ -136,14 +136,14 @@ void add_first_slips(const data::Case& paper, std::vector<Plan>& plans) {
          fmt::format("first slip, the paper's Fig. {}", panel.figure), "s", true,
          [=](const Settings& at) { return solver::first_slip(with(problem, at)).value(); }, reference,
          [=] {
-           const analytic::StickResponse exact(paper.beam, problem.excitation, reference_modes,
+           const analytic::StickResponse exact(paper.beam(), problem.excitation(), reference_modes,
                                                analytic::SteadyPart::exact);
            constexpr double offset = 1e-6;
            const double slope =
                (exact.friction_force(reference + offset) - exact.friction_force(reference - offset)) /
                (2.0 * offset);
            return Prediction{
-               drift_bound(paper.beam, exact.modes(), exact.transient_force(), paper.numerics, reference) /
+               drift_bound(paper.beam(), exact.modes(), exact.transient_force(), paper.numerics, reference) /
                    std::abs(slope),
                "predicted force error over the slope of the force"};
          }});
@@ -168,8 +168,8 @@ double largest_magnitude(double duration, double step, const std::function<doubl
 
 void add_figure9(const data::Case& paper, std::vector<Plan>& plans) {
   const data::HarmonicExcitation excitation = printed_excitation(15.0);
-  const double midspan = 0.5 * paper.beam.length();
-  const analytic::StickResponse exact(paper.beam, excitation, reference_modes, analytic::SteadyPart::exact);
+  const double midspan = 0.5 * paper.beam().length();
+  const analytic::StickResponse exact(paper.beam(), excitation, reference_modes, analytic::SteadyPart::exact);
   const auto peak = [=](const Settings& at, double (solver::BeamSimulation::*quantity)() const) {
     solver::BeamSimulation run(with(paper, excitation, at), {.contact = solver::TipContact::bonded});
     double largest = std::abs((run.*quantity)());
@@ -180,7 +180,7 @@ void add_figure9(const data::Case& paper, std::vector<Plan>& plans) {
     return largest;
   };
   const auto drift = [=](const std::vector<analytic::Sinusoid>& free) {
-    return Prediction{drift_bound(paper.beam, exact.modes(), free, paper.numerics, figure9_duration),
+    return Prediction{drift_bound(paper.beam(), exact.modes(), free, paper.numerics, figure9_duration),
                       "predicted drift of the free vibrations"};
   };
   plans.push_back(

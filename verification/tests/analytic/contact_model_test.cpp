@@ -62,12 +62,12 @@ TEST(BeamContactModel, IsTheLimitOfMeshes) {
                        numbers.log_uniform(1e-4, 1e-2) / unit);
     const ContactModel closed = BeamContactModel(problem, 4).model(),
                        mesh = studies::finite_element_contact_model(problem, 40);
-    const double error = std::pow(13.4 / 40.0, 4) / 720.0 * nearness_of_buckling(problem.beam);
+    const double error = std::pow(13.4 / 40.0, 4) / 720.0 * nearness_of_buckling(problem.beam());
     const auto expect = [error](double value, double expected, double scale) {
       EXPECT_TRUE(within(value, expected, discretisation(error * scale, 10.0, "(beta l)^4/720")));
     };
     const double mass = closed.contact_mass, force = closed.load.back(),
-                 stiffness = 3.0 * rigidity(problem.beam) / std::pow(problem.beam.length(), 3);
+                 stiffness = 3.0 * rigidity(problem.beam()) / std::pow(problem.beam().length(), 3);
     expect(mesh.contact_mass, mass, mass);
     expect(mesh.contact_stiffness, closed.contact_stiffness, stiffness);
     expect(mesh.contact_follower, closed.contact_follower, stiffness);

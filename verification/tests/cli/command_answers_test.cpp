@@ -162,7 +162,7 @@ TEST_F(Answers, ModesEstimatesItsRounding) {
   }
   const std::string shear = " --set beam.shear_stiffness=6.41e6";
   const double load = analytic::stick_buckling_load(
-      data::load_case("paper", {{"beam.shear_stiffness", "6.41e6", "--set"}}).beam);
+      data::load_case("paper", {{"beam.shear_stiffness", "6.41e6", "--set"}}).beam());
   EXPECT_NEAR(units(fmt::format("{}{}", 0.5 * load, shear))[0], 2.0, 1e-12);
   EXPECT_EQ(units(fmt::format("{}{}", -0.5 * load, shear))[0], 1.0);
 }
@@ -173,11 +173,12 @@ TEST_F(Answers, ModesEstimatesItsRounding) {
 TEST_F(Answers, CriterionKeeps200Modes) {
   constexpr int modes = 200;
   const data::Case problem = data::load_case("paper");
-  const double omitted = problem.excitation.amplitude() *
-                         analytic::StickResponse(
-                             problem.beam, data::HarmonicExcitation({.frequency_hz = 35.0, .amplitude = 1.0}),
-                             modes, analytic::SteadyPart::exact)
-                             .omitted_transient_bound();
+  const double omitted =
+      problem.excitation().amplitude() *
+      analytic::StickResponse(problem.beam(),
+                              data::HarmonicExcitation({.frequency_hz = 35.0, .amplitude = 1.0}), modes,
+                              analytic::SteadyPart::exact)
+          .omitted_transient_bound();
   const auto force = json("criterion paper --hz 35")["all_modes"]["force_max_N"];
   const double upper = force["upper"];
   EXPECT_NEAR(upper - force["lower"].get<double>(), 2.0 * omitted, 1e-10 * upper);

@@ -118,7 +118,7 @@ TEST_F(HistoryFiles, AreDrawnAsTheyAre) {
 
     const auto level = [&](const char* title) { return curve(svg, title).back().front().second; };
     const data::Case problem = text.problem();
-    const double limit = problem.friction.static_coefficient() * problem.beam.axial_force();
+    const double limit = problem.contact.friction.static_coefficient() * problem.beam().axial_force();
     EXPECT_NEAR(height("stick"),
                 (level("gnuplot_plot_4b") - level("friction limit")) * range(of(5)) / (2.0 * limit), 1.0);
 

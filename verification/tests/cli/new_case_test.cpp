@@ -33,16 +33,16 @@ TEST_F(NewCase, HoldsTheValuesThatAreSet) {
   const data::Case tube = made(
       "--set section.shape=tube --set 'beam.length=1.2 m' --set 'excitation.acceleration_amplitude=\"1 g\"' "
       "--set damping.ratio=0.02");
-  EXPECT_EQ(tube.beam.length(), 1.2);
-  EXPECT_EQ(tube.beam.density(), 7850.0);
-  EXPECT_NEAR(tube.beam.area(), std::numbers::pi * (25e-6 - 16e-6), 1e-19);
-  EXPECT_NEAR(tube.excitation.amplitude(), 9.80665 / std::pow(40.0 * std::numbers::pi, 2), 1e-18);
+  EXPECT_EQ(tube.beam().length(), 1.2);
+  EXPECT_EQ(tube.beam().density(), 7850.0);
+  EXPECT_NEAR(tube.beam().area(), std::numbers::pi * (25e-6 - 16e-6), 1e-19);
+  EXPECT_NEAR(tube.excitation().amplitude(), 9.80665 / std::pow(40.0 * std::numbers::pi, 2), 1e-18);
   EXPECT_EQ(tube.damping.ratio(), 0.02);
   const data::Case numbers = made(
       "--set beam.area=1e-4 --set beam.second_moment_of_area=1e-9 --set 'beam.density=1.2 g/cm^3' --set "
       "beam.youngs_modulus=3e9");
-  EXPECT_EQ(numbers.beam.second_moment_of_area(), 1e-9);
-  EXPECT_EQ(numbers.beam.density(), 1200.0);
+  EXPECT_EQ(numbers.beam().second_moment_of_area(), 1e-9);
+  EXPECT_EQ(numbers.beam().density(), 1200.0);
 }
 
 // A number is what a case file takes for one, and so what --set of the other commands does.
@@ -50,9 +50,9 @@ TEST_F(NewCase, TakesTheNumbersOfACaseFile) {
   for (const auto& [text, value] :
        {std::pair{"+1", 1.0}, {"+1.5e-1", 0.15}, {"1_0.5", 10.5}, {"0x2", 2.0}, {"5e-1", 0.5}}) {
     const std::string set = std::string("beam.length=") + text;
-    EXPECT_EQ(made("--set friction.decay=+inf --set beam.axial_force=1e-3 --set " + set).beam.length(),
+    EXPECT_EQ(made("--set friction.decay=+inf --set beam.axial_force=1e-3 --set " + set).beam().length(),
               value);
-    EXPECT_EQ(data::load_case("paper", {data::Override::parse(set)}).beam.length(), value) << text;
+    EXPECT_EQ(data::load_case("paper", {data::Override::parse(set)}).beam().length(), value) << text;
   }
   std::filesystem::remove("my-beam.toml");
   for (const std::string text : {".5", "1.", "infinity", "1__0", "'+1 m'", "inf", "-inf", "nan", "+nan"})
@@ -86,10 +86,10 @@ TEST_F(NewCase, AsksForWhatIsNotSet) {
   EXPECT_TRUE(holds(outcome.errors, "\nbeam.length (L, from the clamp to the wall) [400 mm]: "));
   EXPECT_TRUE(holds(outcome.errors, "beam.axial_force is 'two' (a string)"));
   const data::Case problem = data::load_case("my-beam.toml");
-  EXPECT_EQ(problem.beam.length(), 0.25);
-  EXPECT_EQ(problem.beam.axial_force(), 8.0);
-  EXPECT_EQ(problem.beam.density(), 2500.0);
-  EXPECT_NEAR(problem.beam.area(), std::numbers::pi * 16e-6, 1e-19);
+  EXPECT_EQ(problem.beam().length(), 0.25);
+  EXPECT_EQ(problem.beam().axial_force(), 8.0);
+  EXPECT_EQ(problem.beam().density(), 2500.0);
+  EXPECT_NEAR(problem.beam().area(), std::numbers::pi * 16e-6, 1e-19);
   std::filesystem::remove("my-beam.toml");
   const Outcome unanswered = shell(ask + " < /dev/null");
   EXPECT_EQ(unanswered.status, 2);
@@ -116,7 +116,7 @@ TEST(DefaultNumerics, FollowTheHighestMode) {
   const data::Case paper = data::load_case("paper");
   const auto at = [&](double hz, double duration) {
     return data::default_numerics(
-        paper.beam, data::HarmonicExcitation({.frequency_hz = hz, .amplitude = 1e-3}), duration);
+        paper.beam(), data::HarmonicExcitation({.frequency_hz = hz, .amplitude = 1e-3}), duration);
   };
   EXPECT_EQ(at(25.0, 10.0).elements, 40);
   EXPECT_EQ(at(25.0, 10.0).time_step, 1e-5);
@@ -135,8 +135,8 @@ TEST(DefaultNumerics, FollowTheHighestMode) {
   // 1/(50 f_10) grows with the square of the length: 1.90e-5 s, 2.10e-5 s, 4.87e-5 s and 5.24e-5 s.
   for (const auto& [length, step] :
        {std::pair{"2.53", 1e-5}, {"2.66", 2e-5}, {"4.05", 2e-5}, {"4.2", 5e-5}, {"1e5", 10.0}})
-    EXPECT_EQ(data::default_numerics(data::load_case("paper", {{"beam.length", length}}).beam,
-                                     paper.excitation, 10.0)
+    EXPECT_EQ(data::default_numerics(data::load_case("paper", {{"beam.length", length}}).beam(),
+                                     paper.excitation(), 10.0)
                   .time_step,
               step)
         << length;

@@ -269,7 +269,7 @@ std::vector<Mistake> wrong_factors_and_angles() {
 std::vector<Mistake> other_mistakes() {
   const char *stick = "stick-frequencies", *hz = "frequency", *mid = "midspan_displacement",
              *tip = "tip_displacement";
-  const data::Beam beam = data::load_case("paper").beam;
+  const data::Beam beam = data::load_case("paper").beam();
   const double axial_hz = std::sqrt(beam.youngs_modulus() / beam.density()) / (4.0 * beam.length());
   return {
       // constants, shifts
@@ -427,7 +427,7 @@ TEST(DiagnosisOfNumbers, IsAMeshOfHermiteElements) {
   // The leading error of 40 elements; the next term is below a twentieth of it up to mode 5.
   File file("stick-frequencies", "frequency");
   file.keep_first(5);
-  const auto beam = data::load_case("paper").beam;
+  const auto beam = data::load_case("paper").beam();
   const auto modes = analytic::stick_modes(beam, 5);
   for (std::size_t n = 0; n < 5; ++n)
     file.values()[n] *=
@@ -473,7 +473,7 @@ TEST(DiagnosisOfNumbers, OfAGrowthNeedsThreeModes) {
 }
 
 TEST(DiagnosisOfNumbers, IsAMeshIfTheErrorGrows) {
-  const data::Beam beam = data::load_case("paper").beam;
+  const data::Beam beam = data::load_case("paper").beam();
   const auto modes = analytic::stick_modes(beam, 6);
   // A relative error k (beta L/N)^power of each frequency; the mean of the wave numbers is beta to P/(4 EI beta^2).
   const auto of = [&](double k, int power, int elements) {
@@ -508,7 +508,7 @@ TEST(DiagnosisOfNumbers, IsAMeshOfLumpedMasses) {
 }
 
 TEST(DiagnosisOfNumbers, IsAModeToOnePerCent) {
-  const data::Beam beam = data::load_case("paper").beam;  // the second axial frequency is 530.33 Hz
+  const data::Beam beam = data::load_case("paper").beam();  // the second axial frequency is 530.33 Hz
   const Values hz{30, 80, 170, 300, 450, 600, 800, 1000, 1250, 1500};
   for (const auto& [theirs, none] : std::vector<std::pair<Values, std::string>>{
            {{1, 30, 80, 170, 300, 450, 535, 600, 800, 1000}, "1 (1 Hz), 7 (535 Hz, the axial mode 2)"},
@@ -647,13 +647,13 @@ TEST(DiagnosisOfNumbers, IsSingleValues) {
 TEST(DiagnosisOfNumbers, IsTheNodeBesideTheMiddle) {
   // By the closed form, and by meshes that are not that of the diagnosis.
   const data::Case held = data::load_case("paper-figure9");
-  const analytic::StickResponse response(held.beam, held.excitation, 60, analytic::SteadyPart::exact);
+  const analytic::StickResponse response(held.beam(), held.excitation(), 60, analytic::SteadyPart::exact);
   for (const auto& [place, name] : {std::pair{0.55, "x = 0.55 L, the node beside the middle on 20 elements"},
                                     {0.25, "x = 0.25 L, the node beside the middle on 4 elements"},
                                     {0.525, "x = 0.525 L, the node beside the middle on 40 elements"}}) {
     File file("stick-history", "midspan_displacement");
     for (std::size_t i = 0; i < file.values().size(); ++i)
-      file.values()[i] = response.absolute_displacement(place * held.beam.length(), file["time"][i]);
+      file.values()[i] = response.absolute_displacement(place * held.beam().length(), file["time"][i]);
     EXPECT_TRUE(looks(file, name));
   }
   struct Shown {
@@ -675,7 +675,7 @@ TEST(DiagnosisOfNumbers, IsTheNodeBesideTheMiddle) {
     File file(shown.set, "midspan_displacement");
     for (std::size_t i = 0; i < file.values().size(); ++i) {
       while (run.time() < file["time"][i]) run.step();
-      file.values()[i] += run.displacement(0.4 * problem.beam.length()) - run.midspan_displacement();
+      file.values()[i] += run.displacement(0.4 * problem.beam().length()) - run.midspan_displacement();
     }
     EXPECT_TRUE(looks(file, "x = 0.4 L, the node beside the middle on 10 elements"));
   }
@@ -725,7 +725,7 @@ File largest_forces(const data::Case& problem, int modes, analytic::SteadyPart s
   for (std::size_t i = 0; i < file.values().size(); ++i)
     file.values()[i] =
         analytic::evaluate_criterion(
-            problem.beam, problem.friction,
+            problem.beam(), problem.contact.friction,
             data::HarmonicExcitation({.frequency_hz = file["frequency"][i], .amplitude = 0.5e-3}), 10.0,
             modes, steady)
             .force_max.midpoint();
@@ -753,11 +753,11 @@ TEST(DiagnosisOfModels, IsTheWrongNumberOfForces) {
 // Every 3 ms, where straight lines leave 3 %.
 TEST(DiagnosisOfModels, FindsNumbersBetweenTheTimes) {
   const data::Case held = data::with_value(data::load_case("paper-figure9"), "beam.youngs_modulus", 2.06e9);
-  const analytic::StickResponse response(held.beam, held.excitation, 60, analytic::SteadyPart::exact);
+  const analytic::StickResponse response(held.beam(), held.excitation(), 60, analytic::SteadyPart::exact);
   File file("stick-history", "midspan_displacement");
   file.keep([](std::size_t row) { return row % 3 == 0; });
   for (std::size_t i = 0; i < file.values().size(); ++i)
-    file.values()[i] = response.absolute_displacement(0.5 * held.beam.length(), file["time"][i] += 0.4e-3);
+    file.values()[i] = response.absolute_displacement(0.5 * held.beam().length(), file["time"][i] += 0.4e-3);
   EXPECT_TRUE(looks(file, "beam.youngs_modulus = 2.06e+09 instead of 2e+09"));
 }
 
@@ -768,7 +768,7 @@ TEST(DiagnosisOfModels, OfRowsThatAreCases) {
   for (std::size_t i = 0; i < file.values().size(); ++i) {
     data::Case row = data::with_value(problem, "beam.length", file["length"][i]);
     row = data::with_value(row, "beam.axial_force", file["axial_force"][i]);
-    const double hz = row.excitation.frequency_hz();
+    const double hz = row.excitation().frequency_hz();
     file.values()[i] *=
         comparison::reference_result(row, Quantity::critical_amplitude, {hz})[0] /
         comparison::wrong_result(row, "base-load-left-out", Quantity::critical_amplitude, {hz}).value()[0];
@@ -799,7 +799,7 @@ TEST(DiagnosisOfModels, TakesTheEventsOfTheDataSet) {
 File mistaken(const char* set, data::Case problem, const char* mistake, int periods) {
   problem = with_value(problem, "numerics.elements", 36);
   File file(set, "tip_displacement");
-  const double end = periods / problem.excitation.frequency_hz();
+  const double end = periods / problem.excitation().frequency_hz();
   file.keep([&](std::size_t row) { return file["time"][row] <= end; });
   const Values times = file["time"];
   const Values right = comparison::reference_result(problem, Quantity::tip_displacement, times),
@@ -873,15 +873,15 @@ TEST(DiagnosisOfModels, OfTheMiddleOfAField) {
 // By the closed form, while the diagnosis has a mesh.
 TEST(DiagnosisOfModels, OfASteadyVibration) {
   const data::Case problem = data::load_case("paper");
-  const double first = studies::stick_hz(problem.beam, 1);
+  const double first = studies::stick_hz(problem.beam(), 1);
   const auto amplitudes = [&](double eta, double power) {
     File file("damped-steady-state", "midspan_amplitude");
     for (std::size_t i = 0; i < file.values().size(); ++i) {
       const double hz = file["frequency"][i];
       const analytic::DampedSteadyState steady(
-          problem.beam, data::HarmonicExcitation({.frequency_hz = hz, .amplitude = 0.5e-3}),
+          problem.beam(), data::HarmonicExcitation({.frequency_hz = hz, .amplitude = 0.5e-3}),
           data::Damping({.kelvin_voigt = eta * std::pow(first / hz, power)}), analytic::TipSupport::held);
-      file.values()[i] = std::abs(steady.displacement(0.5 * problem.beam.length()));
+      file.values()[i] = std::abs(steady.displacement(0.5 * problem.beam().length()));
     }
     return file;
   };
@@ -891,16 +891,16 @@ TEST(DiagnosisOfModels, OfASteadyVibration) {
   for (std::size_t i = 0; i < relative.values().size(); ++i)
     relative.values()[i] = std::abs(
         analytic::DampedSteadyState(
-            problem.beam,
+            problem.beam(),
             data::HarmonicExcitation({.frequency_hz = relative["frequency"][i], .amplitude = 0.5e-3}),
             data::Damping({.kelvin_voigt = 6.4e-5}), analytic::TipSupport::held)
-            .displacement(0.5 * problem.beam.length()) -
+            .displacement(0.5 * problem.beam().length()) -
         0.5e-3);
   EXPECT_TRUE(looks(relative, "like 'relative-displacement'"));
 }
 
 TEST(DiagnosisOfModels, IsAPartOfTimoshenkosTheory) {
-  const data::BeamProperties paper = studies::with_shear(data::load_case("paper").beam).properties();
+  const data::BeamProperties paper = studies::with_shear(data::load_case("paper").beam()).properties();
   const auto frequencies = [&](const char* set, data::BeamProperties properties, double stiffness,
                                double rotary) {
     properties.shear_stiffness *= stiffness;

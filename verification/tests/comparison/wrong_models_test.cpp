@@ -42,13 +42,13 @@ data::Case paper_case(double duration) { return paper_problem(25.0, 1e-3, durati
 data::Case strip_case(double duration) {
   data::Case problem = paper_case(duration);
   problem.name = "strip";
-  problem.beam = data::Beam({.length = 0.8,
-                             .area = 6e-4,
-                             .second_moment_of_area = 4.5e-9,
-                             .density = 1050.0,
-                             .youngs_modulus = 2.3e9,
-                             .axial_force = 20.0});
-  problem.excitation = data::HarmonicExcitation({.frequency_hz = 30.0, .amplitude = 5e-3});
+  problem.structure = data::Beam({.length = 0.8,
+                                  .area = 6e-4,
+                                  .second_moment_of_area = 4.5e-9,
+                                  .density = 1050.0,
+                                  .youngs_modulus = 2.3e9,
+                                  .axial_force = 20.0});
+  problem.motion = data::HarmonicExcitation({.frequency_hz = 30.0, .amplitude = 5e-3});
   return problem;
 }
 
@@ -84,7 +84,7 @@ Values abscissa_for(const data::Case& problem, Quantity quantity) {
     case contact_event:
       return steps_to(5.0, 5);
     case quasi_static_shape:
-      return steps_to(0.97 * problem.beam.length(), 8);
+      return steps_to(0.97 * problem.beam().length(), 8);
     case force_maximum:
     case critical_amplitude:
       return {15.0, 35.0, 70.0};
@@ -150,9 +150,9 @@ RightResult strip_force() { return {strip_case(0.3), stick_force}; }
 // What the modes beyond N add to y(L/2) at most, relative to its root mean square: a sum that leaves them out
 // claims to be right up to that.
 double omitted_displacement(const data::Case& problem, std::size_t modes) {
-  const analytic::StickResponse response(problem.beam, problem.excitation, 120);
-  const double omega = 2.0 * std::numbers::pi * problem.excitation.frequency_hz();
-  const auto free = response.transient_displacement(0.5 * problem.beam.length());
+  const analytic::StickResponse response(problem.beam(), problem.excitation(), 120);
+  const double omega = 2.0 * std::numbers::pi * problem.excitation().frequency_hz();
+  const auto free = response.transient_displacement(0.5 * problem.beam().length());
   double largest = 0.0;
   for (std::size_t n = modes; n < free.size(); ++n)
     largest += std::abs(free[n].amplitude) * (1.0 + free[n].angular_frequency / omega);
@@ -270,7 +270,7 @@ TEST(WrongModelEffects, AreOfHeldAndSlidingBeam) {
   const RightResult right{problem, tip_displacement, steps_to(0.07, 200)};
   Values base;
   for (const double t : right.abscissa)
-    base.push_back(solver::harmonic_motion(problem.excitation).displacement(t));
+    base.push_back(solver::harmonic_motion(problem.excitation()).displacement(t));
   EXPECT_TRUE(within(of("relative-displacement").tip_displacement.value(),
                      right.distance(base, Values(200, 0.0)), round_off(1e3, 1.0, 1.0)));
 }
@@ -279,9 +279,9 @@ TEST(WrongModelEffects, AreOfHeldAndSlidingBeam) {
 
 // What 60 terms leave out of the steady force, and the free vibrations behind them, relative to the reference.
 double truncation(const RightResult& right) {
-  const analytic::StickResponse exact(right.problem.beam, right.problem.excitation, 60,
+  const analytic::StickResponse exact(right.problem.beam(), right.problem.excitation(), 60,
                                       analytic::SteadyPart::exact);
-  const analytic::StickResponse sum(right.problem.beam, right.problem.excitation, 60);
+  const analytic::StickResponse sum(right.problem.beam(), right.problem.excitation(), 60);
   return right.size_of(std::abs(exact.steady_force_amplitude() - sum.steady_force_amplitude()) +
                        exact.omitted_transient_bound());
 }
@@ -297,8 +297,8 @@ TEST(WrongModel, OfTheInputsIsTheRightOneOfOthers) {
     const char* model{""};
   };
   const data::Case problem = with_damping(with_numerics(paper_case(0.12), 8, 1e-4), {.kelvin_voigt = 6e-5});
-  const double omega = analytic::stick_modes(problem.beam, 1).front().angular_frequency(),
-               force = problem.beam.axial_force(), inertia = problem.beam.second_moment_of_area();
+  const double omega = analytic::stick_modes(problem.beam(), 1).front().angular_frequency(),
+               force = problem.beam().axial_force(), inertia = problem.beam().second_moment_of_area();
   const char* stepped = "time-step-of-the-case";
   for (const auto& [name, inputs, quantity, model] : std::vector<Mistake>{
            {"second-moment-as-printed", {{"beam.second_moment_of_area", 0.01 * inertia}}, stick_frequency},
@@ -343,7 +343,8 @@ TEST(WrongModel, OfTheInputsIsTheRightOneOfOthers) {
 
 TEST(WrongModel, IsNoneWhereTheMistakeIsImpossible) {
   data::Case undamped = with_numerics(paper_case(0.02), 8, 1e-4), smooth = undamped;
-  smooth.friction = data::FrictionLaw({.static_coefficient = 0.6, .kinetic_coefficient = 0.6, .decay = 1.0});
+  smooth.contact.friction =
+      data::FrictionLaw({.static_coefficient = 0.6, .kinetic_coefficient = 0.6, .decay = 1.0});
   const data::Case with_ratio = with_damping(undamped, {.ratio = 0.02});
   for (const auto& [name, problem, quantity, abscissa] :
        {std::tuple{"damping-left-out", undamped, friction_force, 0.01},
@@ -373,11 +374,11 @@ TEST(WrongModel, HasTheFrequenciesOfItsMistake) {
   // 20 mm by 200 mm about the other axis: 100 times the second moment. At P = 0 tan(beta L) = tanh(beta L), and with one wave
   // number rho A omega^2 = EI beta^4 + P beta^2.
   const data::Case strip = strip_case(0.3), unloaded = with_value(strip, "beam.axial_force", 0.0);
-  const data::Beam& beam = strip.beam;
-  const Values upright =
-                   comparison::reference_result(with_value(flat_case(), "beam.second_moment_of_area",
-                                                           100.0 * flat_case().beam.second_moment_of_area()),
-                                                stick_frequency, modes),
+  const data::Beam& beam = strip.beam();
+  const Values upright = comparison::reference_result(
+                   with_value(flat_case(), "beam.second_moment_of_area",
+                              100.0 * flat_case().beam().second_moment_of_area()),
+                   stick_frequency, modes),
                other_axis = of(flat_case(), "second-moment-of-other-axis"),
                one_wave_number = of(strip, "one-wave-number"),
                without = comparison::reference_result(unloaded, stick_frequency, modes);
@@ -402,7 +403,8 @@ TEST(WrongModel, HasTheFrequenciesOfItsMistake) {
 // With another start the velocity jumps along the beam, and the phase of its highest modes is lost.
 TEST(WrongModel, OnTheMeshIsThatOfTheModesInStick) {
   data::Case problem = with_numerics(strip_case(0.05), 40, 2e-5, 60);
-  problem.friction = data::FrictionLaw({.static_coefficient = 1e4, .kinetic_coefficient = 5e3, .decay = 1.0});
+  problem.contact.friction =
+      data::FrictionLaw({.static_coefficient = 1e4, .kinetic_coefficient = 5e3, .decay = 1.0});
   const RightResult held{problem, stick_displacement, steps_to(0.05, 50)};
   const double error = held.distance(
       held.reference, comparison::reference_result(problem, midspan_displacement, held.abscissa));
@@ -446,9 +448,9 @@ TEST(WrongModel, OfACosineIsLargestAtTheStart) {
 TEST(WrongModel, OfHalfTheMotionHalvesSteadyMotion) {
   const data::Case problem = with_damping(paper_case(1.0), {.kelvin_voigt = 6e-5});
   for (const double hz : {15.0, 35.0, 70.0}) {
-    const analytic::DampedSteadyState exact(problem.beam, shaking(hz, 1e-3), problem.damping,
+    const analytic::DampedSteadyState exact(problem.beam(), shaking(hz, 1e-3), problem.damping,
                                             analytic::TipSupport::held);
-    const std::complex<double> middle = exact.displacement(0.5 * problem.beam.length()),
+    const std::complex<double> middle = exact.displacement(0.5 * problem.beam().length()),
                                force = exact.friction_force();
     for (const auto& [quantity, value, factor] : {std::tuple{steady_amplitude, std::abs(middle), 0.5},
                                                   {steady_phase, std::arg(middle), 1.0},
@@ -469,7 +471,7 @@ TEST(WrongModel, WithFewModesIsTheResponseOfSoMany) {
   const Values times = abscissa_for(problem, stick_force);
   for (const auto& [name, modes] :
        {std::pair{"one-mode", 1}, {"two-modes", 2}, {"three-modes", 3}, {"five-modes", 5}}) {
-    const analytic::StickResponse response(problem.beam, problem.excitation, modes);
+    const analytic::StickResponse response(problem.beam(), problem.excitation(), modes);
     const Values computed = wrong_values(problem, name, stick_force, times);
     const double largest = std::ranges::max(computed);
     // 25 Hz lies 0.0011 from resonance, where two terms of opposite signs cancel to that share.
@@ -497,10 +499,10 @@ TEST(WrongModel, HasTheStepsThatItsNameSays) {
 
 TEST(WrongModel, HasTheMistakeThatItsNameSays) {
   const data::Case problem = paper_case(0.1);
-  const solver::BeamModel mesh(problem.beam, 4);
-  auto system = solver::beam_contact_system(mesh, problem.friction, at_rest(), kelvin_voigt(6e-5));
+  const solver::BeamModel mesh(problem.beam(), 4);
+  auto system = solver::beam_contact_system(mesh, problem.contact.friction, at_rest(), kelvin_voigt(6e-5));
   comparison::recipe_of("mass-proportional-damping").mesh(system, mesh);
-  const double first = analytic::stick_modes(problem.beam, 1).front().angular_frequency();
+  const double first = analytic::stick_modes(problem.beam(), 1).front().angular_frequency();
   const Eigen::MatrixXd expected = 6e-5 * first * first * Eigen::MatrixXd(mesh.mass());
   EXPECT_TRUE(
       within((Eigen::MatrixXd(system.damping) - expected).norm(), 0.0, round_off(100, 1, expected.norm())));
@@ -511,7 +513,7 @@ TEST(WrongModel, HasTheMistakeThatItsNameSays) {
 
   // 0.6 at rest, 0.3 at high velocities, alpha = 1 s/m, and a viscous part of which no name says anything.
   constexpr double beta = 0.05;  // s/m
-  auto coefficients = problem.friction.coefficients();
+  auto coefficients = problem.contact.friction.coefficients();
   coefficients.viscous = beta;
   const data::FrictionLaw friction(coefficients);
   for (const auto& [name, v, coefficient] :
@@ -573,7 +575,7 @@ TEST(WrongModel, OfAMassOnABeltRunsByEitherMethod) {
 TEST(WrongModel, OfTheSteadyStateIsItsAmplitude) {
   const data::Case problem = with_numerics(with(paper_case(0.025), shaking(35.0)), 20, 1e-3);
   const double amplitude =
-      std::abs(analytic::StickResponse(problem.beam, problem.excitation, 60).steady_force_amplitude());
+      std::abs(analytic::StickResponse(problem.beam(), problem.excitation(), 60).steady_force_amplitude());
   // The parabola through three samples around a peak of a sine leaves the fourth-order term.
   const double angle = 2.0 * std::numbers::pi * 35.0 * 1e-3;
   EXPECT_TRUE(within(wrong_values(problem, "steady-state-only", force_maximum, {35.0})[0], amplitude,
@@ -584,9 +586,9 @@ TEST(WrongModel, OfTheSteadyStateIsItsAmplitude) {
 // E I S'''(L) h; and a dead load has the reaction without the follower term, by a mesh and by the closed form.
 TEST(WrongModel, IsThePartOfTheForceThatIsLeft) {
   const RightResult force = strip_force();
-  const data::Beam& beam = force.problem.beam;
+  const data::Beam& beam = force.problem.beam();
   const Values support = force.of("base-load-left-out"), load = force.of("wall-moves-with-base");
-  const auto base = solver::harmonic_motion(force.problem.excitation);
+  const auto base = solver::harmonic_motion(force.problem.excitation());
   const double quasi_static =
       rigidity(beam) * analytic::QuasiStaticShape(beam).third_derivative(beam.length());
   Values sum, difference, completed = force.of("quasi-static-part-left-out");
@@ -600,7 +602,7 @@ TEST(WrongModel, IsThePartOfTheForceThatIsLeft) {
   EXPECT_TRUE(
       within(force.distance(completed, force.reference), 0.0, discretisation(modes, 2.0, "sixty modes")));
   EXPECT_TRUE(within(force.distance(force.of("base-load-sign"), difference), 0.0, round_off(1e3, 10.0, 1.0)));
-  const analytic::StickResponse response(beam, force.problem.excitation, 60);
+  const analytic::StickResponse response(beam, force.problem.excitation(), 60);
   double drift = 0.0;
   for (std::size_t n = 0; n < 60; ++n) {
     const double error = studies::hermite_eigenvalue_error(beam, response.modes()[n], beam.length() / 60);
@@ -630,7 +632,7 @@ TEST(WrongModel, HasTheOrderOfItsMistake) {
                    fine_mesh = with_numerics(strip_case(0.3), 32, 1e-4);
   // The next power of h comes with the third frequency; dissipation at a spectral radius of 0 doubles it, and
   // that wrong model takes ten times the step.
-  const double phase = analytic::stick_modes(coarse_step.beam, 3).back().angular_frequency() * 8e-6;
+  const double phase = analytic::stick_modes(coarse_step.beam(), 3).back().angular_frequency() * 8e-6;
   // beta l of the third mode on 16 elements; the next power is the square of it, over ten or more.
   const double next_term = std::pow(3.25 * std::numbers::pi / 16.0, 2) / 10.0;
   for (const auto& [order, name, next] : {std::tuple{1.0, "load-at-end-of-step", phase},
@@ -843,8 +845,8 @@ TEST(ReferenceResultsOf, MeshAndClosedFormAgree) {
   EXPECT_TRUE(within(on(15) / on(16), 1.0, discretisation(1e-4, 1.0, "(beta l)^4/720 of mode 2, 1.2-fold")));
   const data::Case held = case_for("strip", critical_amplitude);
   const double critical =
-      analytic::evaluate_criterion(held.beam, held.friction, shaking(35.0, 1.0), held.numerics.duration(), 60,
-                                   analytic::SteadyPart::exact)
+      analytic::evaluate_criterion(held.beam(), held.contact.friction, shaking(35.0, 1.0),
+                                   held.numerics.duration(), 60, analytic::SteadyPart::exact)
           .critical_amplitude.midpoint();
   // The bounds of |f|_max are asked for to 1e-6.
   EXPECT_TRUE(within(comparison::reference_result(held, critical_amplitude, {35.0})[0], critical,

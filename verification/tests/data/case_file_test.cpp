@@ -131,17 +131,17 @@ TEST_F(CaseFile, GivesWayToOverrides) {
   const data::Case problem = read(
       with(undamped, "length = 2.0\n", ""),
       {{"beam.length", "1.8"}, {"beam.area", "0.02"}, {"beam.length", "1.7"}, {"damping.ratio", "0.02"}});
-  EXPECT_EQ(problem.beam.length(), 1.7);
-  EXPECT_EQ(problem.beam.area(), 0.02);
+  EXPECT_EQ(problem.beam().length(), 1.7);
+  EXPECT_EQ(problem.beam().area(), 0.02);
   EXPECT_EQ(problem.damping.ratio(), 0.02);
-  EXPECT_EQ(read(with(valid, "length = 2.0", "length = 3")).beam.length(), 3.0);
+  EXPECT_EQ(read(with(valid, "length = 2.0", "length = 3")).beam().length(), 3.0);
 }
 
 TEST_F(CaseFile, TakesAContactThatYieldsInOneWay) {
   const auto contact = [&](const std::string& key, const std::string& value) {
-    return read(undamped, {{"contact." + key, value}}).contact;
+    return read(undamped, {{"contact." + key, value}}).contact.compliance;
   };
-  EXPECT_TRUE(read(undamped).contact.is_rigid());
+  EXPECT_TRUE(read(undamped).contact.compliance.is_rigid());
   EXPECT_TRUE(contact("tangential_stiffness", "inf").is_rigid());
   const auto spring = contact("tangential_stiffness", "2 MN/m"),
              smooth = contact("regularisation_velocity", "1 mm/s");
@@ -243,7 +243,7 @@ TEST_F(CaseFile, IsFoundInTheFolderOfTheEnvironment) {
   std::filesystem::create_directory(folder() / "cases");
   std::ofstream(folder() / "cases" / "mine.toml") << "\n# A beam of my own\n#\n" << valid;
   EXPECT_EQ(data::list_cases(), (std::map<std::string, std::string>{{"mine", "A beam of my own"}}));
-  EXPECT_EQ(data::load_case("mine").beam.second_moment_of_area(), 8.25e-6);
+  EXPECT_EQ(data::load_case("mine").beam().second_moment_of_area(), 8.25e-6);
   ::setenv("STICKSLIP_DATA", "", 1);
   EXPECT_EQ(data::load_case("paper").name, "paper");
 }
@@ -263,25 +263,25 @@ class CaseShorthand : public CaseFile {
   }
 
   [[nodiscard]] data::Beam beam(const std::string& section, const std::string& poissons_ratio = "0.0") const {
-    return read(workshop_case(section), {{"beam.poissons_ratio", poissons_ratio}}).beam;
+    return read(workshop_case(section), {{"beam.poissons_ratio", poissons_ratio}}).beam();
   }
 };
 
 TEST_F(CaseShorthand, SuppliesMaterialAndFriction) {
   const data::Case problem = read(strip_case);
-  EXPECT_EQ(problem.beam.length(), 0.4);
-  EXPECT_EQ(problem.beam.axial_force(), 40.0);
-  EXPECT_EQ(problem.beam.density(), 7850.0);
-  EXPECT_EQ(problem.beam.youngs_modulus(), 2.1e11);
-  EXPECT_EQ(problem.friction.static_coefficient(), 0.5);
-  EXPECT_EQ(problem.friction.kinetic_coefficient(), 0.5);
-  EXPECT_EQ(problem.friction.decay(), 0.0);
+  EXPECT_EQ(problem.beam().length(), 0.4);
+  EXPECT_EQ(problem.beam().axial_force(), 40.0);
+  EXPECT_EQ(problem.beam().density(), 7850.0);
+  EXPECT_EQ(problem.beam().youngs_modulus(), 2.1e11);
+  EXPECT_EQ(problem.contact.friction.static_coefficient(), 0.5);
+  EXPECT_EQ(problem.contact.friction.kinetic_coefficient(), 0.5);
+  EXPECT_EQ(problem.contact.friction.decay(), 0.0);
   EXPECT_EQ(problem.numerics.duration(), 10.0);
   const auto materials = data::list_materials();
   EXPECT_GE(materials.size(), 10U);
   for (const data::Material& material : materials) {
     EXPECT_FALSE(material.source.empty());
-    const data::Beam beam = read(strip_case, {{"beam.material", material.name}}).beam;
+    const data::Beam beam = read(strip_case, {{"beam.material", material.name}}).beam();
     EXPECT_EQ(beam.density(), material.density);
     EXPECT_EQ(beam.youngs_modulus(), material.youngs_modulus);
   }
@@ -317,7 +317,8 @@ TEST_F(CaseShorthand, SuppliesAreasAndShearStiffness) {
   }
   // The later of two overrides counts.
   EXPECT_EQ(read(strip_case, {{"beam.poissons_ratio", "0.3"}, {"beam.shear_stiffness", "7.0"}})
-                .beam.shear_stiffness(),
+                .beam()
+                .shear_stiffness(),
             7.0);
 }
 
@@ -339,7 +340,7 @@ TEST_F(CaseShorthand, FollowsTheSidesOfTheSection) {
         data::Case expected = read(text, {{key, data::shortest_text(value)}});
         if (ratio.starts_with("shear"))  // which the file does not derive from the section
           expected = data::with_value(expected, "beam.shear_stiffness",
-                                      3e6 * expected.beam.area() / problem.beam.area());
+                                      3e6 * expected.beam().area() / problem.beam().area());
         expect_same_numbers(data::with_value(problem, key, value), expected);
       }
     }
@@ -363,7 +364,7 @@ TEST_F(CaseShorthand, IsForgottenWithANumberOfItsOwn) {
               "section.height is 0.001, but must be left out: the case has no [section] with it");
   }
   const data::Case sheared = data::with_value(problem, "beam.shear_stiffness", 2e6);
-  EXPECT_EQ(sheared.beam.shear_stiffness(), 2e6);
+  EXPECT_EQ(sheared.beam().shear_stiffness(), 2e6);
   EXPECT_TRUE(std::isnan(data::value_of(sheared, "beam.poissons_ratio")));
   EXPECT_EQ(data::value_of(sheared, "section.height"), 1.5e-3);
   EXPECT_THROW((void)data::with_value(problem, "beam.lenght", 1.0), std::invalid_argument);
@@ -372,16 +373,17 @@ TEST_F(CaseShorthand, IsForgottenWithANumberOfItsOwn) {
 // Each value as it is, and what follows from others only where it is not among them.
 TEST_F(CaseShorthand, ChangesOnlyWhatIsNotGiven) {
   const data::Case problem = read(strip_case, {{"beam.shear_stiffness", "3e6"}});
-  const double modulus = 2.0 * problem.beam.youngs_modulus();
+  const double modulus = 2.0 * problem.beam().youngs_modulus();
   const std::vector<std::pair<std::string_view, double>> values{{"beam.youngs_modulus", modulus},
                                                                 {"beam.shear_stiffness", 4e6},
                                                                 {"friction.static_coefficient", 0.4},
                                                                 {"friction.kinetic_coefficient", 0.2}};
   const data::Case changed = data::with_values(problem, values);
   for (const auto& [key, value] : values) EXPECT_EQ(data::value_of(changed, key), value) << key;
-  EXPECT_EQ(data::with_value(problem, "beam.youngs_modulus", modulus).beam.shear_stiffness(), 6e6);
+  EXPECT_EQ(data::with_value(problem, "beam.youngs_modulus", modulus).beam().shear_stiffness(), 6e6);
   const auto with_static = [&](double value) {
-    return data::with_value(problem, "friction.static_coefficient", value).friction.kinetic_coefficient();
+    return data::with_value(problem, "friction.static_coefficient", value)
+        .contact.friction.kinetic_coefficient();
   };
   EXPECT_EQ(with_static(0.4), 0.4);
   EXPECT_EQ(with_static(0.6), 0.5);
@@ -390,7 +392,7 @@ TEST_F(CaseShorthand, ChangesOnlyWhatIsNotGiven) {
 // h = A0 sin(Omega t) with Omega = 60 pi rad/s.
 TEST_F(CaseShorthand, TakesVelocityOrAcceleration) {
   const auto amplitude = [&](const std::string& line, const std::vector<data::Override>& overrides = {}) {
-    return read(workshop_case(strip, line), overrides).excitation.amplitude();
+    return read(workshop_case(strip, line), overrides).excitation().amplitude();
   };
   constexpr double omega = 60.0 * std::numbers::pi;
   const auto is_near = [](double computed, double expected) {

@@ -67,8 +67,8 @@ correlation = [["beam.length", "beam.area", 0.25]]
 
 // The mean of a key that is missing elsewhere is also what a shorthand is computed from, but does not contradict it.
 TEST_F(UncertaintyTable, SuppliesTheMean) {
-  EXPECT_EQ(data::read_case(write(mu)).friction.static_coefficient(), 0.6);
-  EXPECT_EQ(data::read_case(write(mu, true)).friction.static_coefficient(), 0.55);
+  EXPECT_EQ(data::read_case(write(mu)).contact.friction.static_coefficient(), 0.6);
+  EXPECT_EQ(data::read_case(write(mu, true)).contact.friction.static_coefficient(), 0.55);
   const auto read = [&](const std::string& beam, const std::string& excitation, const std::string& friction,
                         const std::string& key) {
     const data::Case problem = data::read_case(folder_.write(

@@ -22,7 +22,7 @@ constexpr double amplitude = 0.5e-3;
 constexpr double omega = 2.0 * pi * hz;
 
 using Modes = std::vector<analytic::StickMode>;
-Modes modes_of_the_paper(int count) { return analytic::stick_modes(paper().beam, count); }
+Modes modes_of_the_paper(int count) { return analytic::stick_modes(paper().beam(), count); }
 
 double sigma() { return std::sqrt(axial_force() / bending_stiffness()); }
 
@@ -63,7 +63,7 @@ double printed_coordinate(const analytic::StickMode& mode, double t, int k = 0) 
 
 double finite_element_hz(int mode) {
   const auto on = [mode](int elements) {
-    return solver::stick_modes(solver::BeamModel(paper().beam, elements), mode).back().angular_frequency /
+    return solver::stick_modes(solver::BeamModel(paper().beam(), elements), mode).back().angular_frequency /
            (2.0 * pi);
   };
   return on(32) + (on(32) - on(16)) / 15.0;  // Richardson, order 4
@@ -73,7 +73,7 @@ double finite_element_hz(int mode) {
 
 analytic::StickResponse response(int modes = 10,
                                  analytic::SteadyPart steady = analytic::SteadyPart::modal_sum) {
-  return {paper().beam, excitation(hz, amplitude), modes, steady};
+  return {paper().beam(), excitation(hz, amplitude), modes, steady};
 }
 
 const std::vector<double>& times() {
@@ -113,7 +113,7 @@ double force_residual() {
 // What the exact steady state at 15 Hz leaves of Eq. (14), over rho A Omega^2 A0. Its right side, rho A Omega^2 (A0 + u0),
 // is that of Eq. (19), because u0 = A0 S.
 double perturbation_residual() {
-  const analytic::DampedSteadyState steady(paper().beam, excitation(hz, amplitude), data::Damping(),
+  const analytic::DampedSteadyState steady(paper().beam(), excitation(hz, amplitude), data::Damping(),
                                            analytic::TipSupport::held);
   const double inertia = mass_per_length() * omega * omega;
   return largest(points(), [&](double x) {
@@ -218,7 +218,7 @@ double eigenfunction_residual() {
 }
 
 double static_residual() {
-  const analytic::QuasiStaticShape shape(paper().beam);
+  const analytic::QuasiStaticShape shape(paper().beam());
   return largest(points(), [&](double x) { return shape.value(x) - printed_static_shape(x); });
 }
 
@@ -251,7 +251,7 @@ INSTANTIATE_TEST_SUITE_P(
         {"sect4.tip-follows-base", tip_residual, [] { return round_off(100, 1, amplitude); }},
         {"eq12", deflection_residual, deflection_round_off},
         {"eq14", perturbation_residual, perturbation_round_off},
-        {"eq15", [] { return std::abs(analytic::QuasiStaticShape(paper().beam).value(length()) + 1.0); },
+        {"eq15", [] { return std::abs(analytic::QuasiStaticShape(paper().beam()).value(length()) + 1.0); },
          static_shape_round_off},
         {"eq16", static_shape_residual, static_shape_round_off},
         {"eq17", [] { return boundary_residual(printed_static_shape); }, static_shape_round_off},
@@ -272,7 +272,7 @@ INSTANTIATE_TEST_SUITE_P(
 // ---- The others
 
 TEST(Equation13, StaticShapeIsInEquilibrium) {
-  const solver::BeamModel model(paper().beam, 20);
+  const solver::BeamModel model(paper().beam(), 20);
   const Eigen::VectorXd mesh = model.unit_tip_deflection();
   const double residual = static_shape_residual(),
                difference = largest(points(), [&](double x) {
@@ -377,7 +377,7 @@ TEST(Equation26, SolvesTheModalEquationFromRest) {
 }
 
 double force_max(double at_hz, double at_amplitude = amplitude) {
-  return analytic::StickResponse(paper().beam, excitation(at_hz, at_amplitude))
+  return analytic::StickResponse(paper().beam(), excitation(at_hz, at_amplitude))
       .max_abs_friction_force(10.0, 1e-8)
       .midpoint();
 }
@@ -404,7 +404,7 @@ TEST(Equation28, IsAmplifiedAtNaturalFrequencies) {
   for (const auto& mode : modes) {
     const auto steady = [&](double distance) {
       const auto near = excitation(mode.frequency_hz() * (1.0 - distance), amplitude);
-      return std::abs(analytic::StickResponse(paper().beam, near, 40).steady_force_amplitude());
+      return std::abs(analytic::StickResponse(paper().beam(), near, 40).steady_force_amplitude());
     };
     least = std::min(least, steady(1e-4) / steady(1e-3));
   }

@@ -21,20 +21,20 @@ namespace {
 constexpr double amplitude = 0.5e-3;  // of the points A to D of Fig. 10
 
 const data::Beam& half_stiff_beam() {
-  static const data::Beam beam = data::load_case("paper-half-stiffness").beam;
+  static const data::Beam beam = data::load_case("paper-half-stiffness").beam();
   return beam;
 }
 
-double natural_hz(int mode, const data::Beam& beam = paper().beam) {
+double natural_hz(int mode, const data::Beam& beam = paper().beam()) {
   return analytic::stick_modes(beam, mode).back().frequency_hz();
 }
 
-double critical_amplitude(double hz, const data::Beam& beam = paper().beam) {
+double critical_amplitude(double hz, const data::Beam& beam = paper().beam()) {
   return studies::critical_amplitude_curve(with(paper(), beam), {hz}).front().critical_amplitude;
 }
 
 // The same without contact by finite elements: mu_s P over |f_max| per unit amplitude, m.
-double mesh_amplitude(double hz, const data::Beam& beam = paper().beam) {
+double mesh_amplitude(double hz, const data::Beam& beam = paper().beam()) {
   return 1e-3 * friction_limit() / solver::max_abs_friction_force(with(paper(), beam, excitation(hz, 1e-3)));
 }
 
@@ -47,7 +47,7 @@ std::vector<double> at_each(const std::vector<double>& frequencies, Function&& f
 
 // |f_max| of ten modes over a duration, N.
 double force_max(double hz, double duration = 10.0) {
-  return analytic::StickResponse(paper().beam, excitation(hz, amplitude))
+  return analytic::StickResponse(paper().beam(), excitation(hz, amplitude))
       .max_abs_friction_force(duration, 1e-6)
       .midpoint();
 }
@@ -209,7 +209,7 @@ void judge_printed_frequencies(const std::string& claim, const data::Beam& beam,
 }
 
 TEST(Figure7, FrequenciesAre25_0And81_1Hz) {
-  judge_printed_frequencies("fig7.frequencies", paper().beam, 2, "figure7");
+  judge_printed_frequencies("fig7.frequencies", paper().beam(), 2, "figure7");
 }
 
 TEST(Figure13, FrequenciesAre17_6And57_3And119_6Hz) {
@@ -218,7 +218,7 @@ TEST(Figure13, FrequenciesAre17_6And57_3And119_6Hz) {
 
 TEST(Figure7, HasTheModesOfBothStates) {
   using Curve = studies::ModeShapeStudy::Curve;
-  const auto curves = studies::mode_shape_study(paper().beam, 3, 20, 101).curves;
+  const auto curves = studies::mode_shape_study(paper().beam(), 3, 20, 101).curves;
   const double shapes = largest(curves, &Curve::largest_difference),
                frequencies = largest(curves, &Curve::relative_error);
   // (beta l)^4/1440 of a frequency and (beta l)^4/96 of a shape, beta l = 10.2/20 in the third mode.

@@ -43,7 +43,7 @@ double escape_force(double length) {
 }
 
 TEST(Figure14, ItsBeamsAreSlender) {
-  const double depth = std::sqrt(12.0 * flat().beam.second_moment_of_area() / flat().beam.area());
+  const double depth = std::sqrt(12.0 * flat().beam().second_moment_of_area() / flat().beam().area());
   judge("fig14.slender", {.as_printed = 0.4 / depth >= 10.0 && 2.0 / depth >= 10.0},
         "the beams are {:.0f} to {:.0f} times as long as they are deep", 0.4 / depth, 2.0 / depth);
 }

@@ -28,7 +28,7 @@ constexpr double amplitude = 0.5e-3;
 
 // The undamped steady state in closed form: y(x,t) = Re Y(x) sin(Omega t).
 DampedSteadyState closed_form(TipSupport tip) {
-  return DampedSteadyState(paper().beam, excitation(hz, amplitude), data::Damping(), tip);
+  return DampedSteadyState(paper().beam(), excitation(hz, amplitude), data::Damping(), tip);
 }
 
 // L^2 u''(L) of it, of A0.
@@ -52,7 +52,7 @@ bool is_fourth(double order) { return std::abs(order - 4.0) < 0.15; }
 // Of Eq. (11): u(x) of the steady state with a tip that slides without friction.
 double sliding_order(double x) {
   return mesh_order(closed_form(TipSupport::free).displacement(x).real() - amplitude, [x](int elements) {
-    const solver::BeamModel model(paper().beam, elements);
+    const solver::BeamModel model(paper().beam(), elements);
     const Eigen::MatrixXd dynamic =
         Eigen::MatrixXd(model.slip_stiffness()) - omega * omega * Eigen::MatrixXd(model.mass());
     return model.interpolation(x).dot(
@@ -64,13 +64,13 @@ double sliding_order(double x) {
 double mesh_force(int elements, double axial_direction = 0.0) {
   return finite_element_steady_force(
       with(paper(), excitation(hz, amplitude),
-           studies::with(paper().beam, &data::BeamProperties::axial_direction, axial_direction)),
+           studies::with(paper().beam(), &data::BeamProperties::axial_direction, axial_direction)),
       elements);
 }
 double shear_force() { return std::abs(closed_form(TipSupport::held).friction_force()); }
 
 TEST(Section2, TheBeamIsSlender) {
-  const double depth = std::sqrt(12.0 * paper().beam.second_moment_of_area() / paper().beam.area());
+  const double depth = std::sqrt(12.0 * paper().beam().second_moment_of_area() / paper().beam().area());
   judge("sect2.slender", {.as_printed = length() / depth >= 10.0},
         "the beam is {:.3g} times as long as it is deep ({:.3g} m)", length() / depth, depth);
 }
@@ -107,7 +107,7 @@ TEST(Equation1, GovernsTheCompressedBeam) {
                         axial_force() * steady.derivative(2, x).real() - inertia(x);
                });
   const double order = mesh_order(shear_force(), [](int elements) { return mesh_force(elements); });
-  const double with = analytic::stick_modes(paper().beam, 1)[0].frequency_hz();
+  const double with = analytic::stick_modes(paper().beam(), 1)[0].frequency_hz();
   const double without = analytic::stick_modes(paper_beam_with_axial_force(0.0), 1)[0].frequency_hz();
   judge("eq1",
         {.as_printed = residual <= round_off(100, 1, scale).value && is_fourth(order) && with < without},
@@ -122,7 +122,7 @@ TEST(Equation2, DeflectionAndSlopeVanishAtTheClamp) {
                       std::abs(steady.derivative(1, 0.0)) * length()) /
            amplitude;
   });
-  const bool mesh = solver::BeamModel(paper().beam, 20).interpolation(0.0).isZero(0.0);
+  const bool mesh = solver::BeamModel(paper().beam(), 20).interpolation(0.0).isZero(0.0);
   judge("eq2", {.as_printed = found <= round_off(50, 1, 1.0).value && mesh},
         "u and L u' are {:.0e} of A0 in the closed form and zero in finite elements", found);
 }
@@ -194,10 +194,10 @@ TEST(Equation4, StickLastsUpToTheLimit) {
 
 TEST(Equation5, SlidingTipHasShearForceAndNoMoment) {
   // The static shape of a unit tip deflection is held by f_d = -E I u''' with u = -S.
-  const solver::BeamModel model(paper().beam, 40);
+  const solver::BeamModel model(paper().beam(), 40);
   const double row = (model.slip_stiffness() * model.unit_tip_deflection())[model.tip_deflection()];
   const double shear =
-      bending_stiffness() * analytic::QuasiStaticShape(paper().beam).third_derivative(length());
+      bending_stiffness() * analytic::QuasiStaticShape(paper().beam()).third_derivative(length());
   const double order = sliding_order(length());
   judge("eq5",
         {.as_printed = std::abs(row / shear - 1.0) <= 1e-6 &&
@@ -242,7 +242,7 @@ TEST(Equation6, FrictionOpposesTheVelocity) {
 }
 
 TEST(Equation7, CoefficientDecaysToTheMinimum) {
-  const auto mu = [](double v) { return solver::friction_coefficient(paper().friction, v); };
+  const auto mu = [](double v) { return solver::friction_coefficient(paper().contact.friction, v); };
   bool decays = mu(0.0) == 0.6;
   for (const double v : evenly_spaced(0.1, 10.0, 0.1)) decays &= mu(v) < mu(v - 0.1) && mu(-v) == mu(v);
   const double departure =
@@ -270,7 +270,7 @@ TEST(Section2, MuSPIsTheRangeOfTheStaticForce) {
 
 TEST(Figure2, TheFrictionForceJumpsAtZeroVelocity) {
   const auto force = [](double v) {
-    return std::copysign(solver::friction_coefficient(paper().friction, v) * axial_force(), -v);
+    return std::copysign(solver::friction_coefficient(paper().contact.friction, v) * axial_force(), -v);
   };
   const double least = std::numeric_limits<double>::min();
   const double jump = force(-least) - force(least);
@@ -290,7 +290,7 @@ TEST(Figure2, JumpMakesNumericalDifficulties) {
 }
 
 TEST(Equation8, FrequenciesConvergeOnTheMesh) {
-  const auto modes = studies::stick_frequency_study(paper().beam, 3, {8, 16, 32}).modes;
+  const auto modes = studies::stick_frequency_study(paper().beam(), 3, {8, 16, 32}).modes;
   const bool holds = std::ranges::all_of(modes, [](const auto& mode) {
     return is_fourth(mode.observed_order.order) && std::abs(mode.leading_constant_ratio - 1.0) < 0.05;
   });
@@ -301,7 +301,7 @@ TEST(Equation8, FrequenciesConvergeOnTheMesh) {
 }
 
 TEST(Equation9, AxialForceIsAFollower) {
-  const auto flutter = studies::flutter_study(paper().beam, {8, 16});
+  const auto flutter = studies::flutter_study(paper().beam(), {8, 16});
   const double beck = 20.05;  // Beck 1952, in E I/L^2
   const double mesh = flutter.finite_element.back();
   judge("eq9.follower",

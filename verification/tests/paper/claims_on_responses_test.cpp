@@ -17,7 +17,7 @@ constexpr double small = 0.5e-3, large = 1e-3;
 
 // |f_max| of Eq. (28), and the first slip by finite elements.
 std::string verdicts_in_words(double hz, double amplitude) {
-  const double force = analytic::StickResponse(paper().beam, excitation(hz, amplitude))
+  const double force = analytic::StickResponse(paper().beam(), excitation(hz, amplitude))
                            .max_abs_friction_force(paper().numerics.duration(), 1e-6)
                            .midpoint();
   const auto slip = solver::first_slip(with(paper(), excitation(hz, amplitude)));
@@ -104,7 +104,7 @@ TEST(Section3, ThresholdMissesFastStops) {
 
 TEST(Section3, TheTipIsStuckAtTheStart) {
   const double closed_form = largest(frequencies, [](double hz) {
-    return analytic::StickResponse(paper().beam, excitation(hz, large)).friction_force(0.0);
+    return analytic::StickResponse(paper().beam(), excitation(hz, large)).friction_force(0.0);
   });
   const double mesh = largest(frequencies, [](double hz) { return run_at(hz, large).friction_force(); });
   judge("sect3.stuck-at-start", {.as_printed = std::max(closed_form, mesh) < friction_limit()},
@@ -143,7 +143,7 @@ TipMotion tip_motion(double hz, double amplitude, double duration = 0.5) {
 
 // The largest |f| at any time, however late: the sum of the magnitudes of the sinusoids of which f consists.
 double force_bound_for_all_times(double hz) {
-  const analytic::StickResponse response(paper().beam, excitation(hz, small), 100,
+  const analytic::StickResponse response(paper().beam(), excitation(hz, small), 100,
                                          analytic::SteadyPart::exact);
   double bound = std::abs(response.steady_force_amplitude()) + response.omitted_transient_bound();
   for (const auto& sinusoid : response.transient_force()) bound += std::abs(sinusoid.amplitude);

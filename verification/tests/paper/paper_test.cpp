@@ -19,7 +19,7 @@ TEST(PaperCase, IsTheBeamWithTheCorrectedSection) {
   for (const auto member :
        {&BeamProperties::length, &BeamProperties::area, &BeamProperties::second_moment_of_area,
         &BeamProperties::density, &BeamProperties::youngs_modulus, &BeamProperties::axial_force})
-    EXPECT_DOUBLE_EQ(paper().beam.properties().*member, paper_beam_properties().*member);
+    EXPECT_DOUBLE_EQ(paper().beam().properties().*member, paper_beam_properties().*member);
 }
 
 STICKSLIP_VERIFIES(PrintedNumbers, "P3");
@@ -58,7 +58,7 @@ TEST(PrintedNumbers, HaveTheVerdictOfTheirRange) {
 STICKSLIP_VERIFIES(Errata, "V2");
 // The largest f of `modes` modes at 15 Hz that start from rest: T' = V h' cancels S h', V = -int U S/int U^2.
 double largest_force_from_rest(int modes) {
-  auto sum = studies::stick_sum(paper().beam, modes);
+  auto sum = studies::stick_sum(paper().beam(), modes);
   for (auto& mode : sum.modes) mode.initial_rate = mode.participation - mode.rigid_participation;
   const auto terms =
       studies::sinusoids(sum, data::HarmonicExcitation({15.0, 0.5e-3}), studies::StickReading::force);
@@ -67,7 +67,7 @@ double largest_force_from_rest(int modes) {
 
 // What the text as printed gives, by other means.
 std::optional<std::pair<double, Tolerance>> by_theory(const studies::ErratumEvidence& row) {
-  const analytic::StickMode mode = analytic::stick_modes(paper().beam, 1).front();
+  const analytic::StickMode mode = analytic::stick_modes(paper().beam(), 1).front();
   // (c^4 - p c^2 - k)/k at c^2 = -p/2 - root = -b^2 of the mode, with b^2 - a^2 = p and a^2 b^2 = k: 2 (b^2/a^2 - 1), which
   // no P but 0 makes vanish.
   if (row.erratum == "E2")
@@ -86,7 +86,7 @@ std::optional<std::pair<double, Tolerance>> by_theory(const studies::ErratumEvid
   }
   // A clamped and pinned beam without P: tan b = tanh b, b = beta L, at beta^4 = rho A omega^2/EI of 25 Hz.
   if (row.erratum == "E9") {
-    const data::Beam section = data::load_case("paper-figure14").beam;
+    const data::Beam section = data::load_case("paper-figure14").beam();
     const double b = row.quantity.starts_with("L1") ? 3.9266023120479 : 7.0685827456287;
     const double square =
         50.0 * std::numbers::pi * std::sqrt(section.density() * section.area() / rigidity(section));
@@ -159,7 +159,7 @@ TEST(Errata, E1PrintedSectionBucklesAtHalfStiffness) {
 // the range, 169.25 and 169.35 Hz, are reached at n = 31.6 and 10.6.
 TEST(Errata, E5IsMetByElevenToThirtyOneElements) {
   const auto rounded = [](int elements) {
-    const auto modes = solver::stick_modes(solver::BeamModel(paper().beam, elements), 3);
+    const auto modes = solver::stick_modes(solver::BeamModel(paper().beam(), elements), 3);
     return std::round(10.0 * modes.back().angular_frequency / (2.0 * std::numbers::pi)) / 10.0;
   };
   const double printed = data::printed_number("frequency.stick.3").value;

@@ -164,12 +164,12 @@ using Columns = std::map<std::string, std::vector<double>>;
 // What a mesh has from event to event at the times of a data set up to the last one, by the names of the columns; NaN in
 // another phase than that of the data set.
 Columns on_a_mesh(const data::Case& problem, int elements, const data::ReferenceTable& table, double last) {
-  const solver::BeamModel mesh(problem.beam, elements);
-  const double omega = 2.0 * std::numbers::pi * problem.excitation.frequency_hz();
-  const double amplitude = problem.excitation.amplitude(), length = problem.beam.length();
+  const solver::BeamModel mesh(problem.beam(), elements);
+  const double omega = 2.0 * std::numbers::pi * problem.excitation().frequency_hz();
+  const double amplitude = problem.excitation().amplitude(), length = problem.beam().length();
   const studies::FiniteElementContactModel contact(
-      solver::beam_contact_system(mesh, problem.friction, solver::harmonic_motion(problem.excitation),
-                                  problem.damping),
+      solver::beam_contact_system(mesh, problem.contact.friction,
+                                  solver::harmonic_motion(problem.excitation()), problem.damping),
       omega);
   analytic::EventDriven run(contact.model());
   Columns columns;
@@ -363,7 +363,7 @@ TEST(PublishedFrequencies, AreThoseInDoubles) {
                                  {"timoshenko-slip-frequencies", analytic::TipSupport::free}}) {
     const auto table = published(set);
     for (std::size_t row = 0; row < table.rows(); ++row) {
-      data::BeamProperties beam = data::load_case(table.column("beam").text[row]).beam.properties();
+      data::BeamProperties beam = data::load_case(table.column("beam").text[row]).beam().properties();
       beam.axial_force = 0.0;
       beam.shear_stiffness = 5.0 / 6.0 * beam.area * beam.youngs_modulus / 2.6;
       const int mode = static_cast<int>(table.column("mode").values[row]);
@@ -385,10 +385,10 @@ TEST(PublishedForces, AreThoseOfFiniteElements) {
     const auto row = static_cast<std::size_t>(hz - 1);
     const double value = table.column("friction_force").values[row];
     const data::HarmonicExcitation excitation = shaking(hz);
-    const double modes = analytic::StickResponse(problem.beam, excitation, 200, analytic::SteadyPart::exact)
+    const double modes = analytic::StickResponse(problem.beam(), excitation, 200, analytic::SteadyPart::exact)
                              .max_abs_friction_force(10.0)
                              .midpoint(),
-                 mesh = solver::ModalStickRun(problem.beam, excitation, problem.numerics)
+                 mesh = solver::ModalStickRun(problem.beam(), excitation, problem.numerics)
                             .max_abs_friction_force(100'000);
     EXPECT_TRUE(within(modes, value, reference(table.radius_of("friction_force")[row], "the data set")))
         << hz;
@@ -404,7 +404,7 @@ TEST(PublishedForces, AreThoseOfFiniteElements) {
 STICKSLIP_VERIFIES(PublishedMatrices, "P6");
 TEST(PublishedMatrices, AreThoseOfTheSolver) {
   const auto table = published("beam-matrices");
-  const solver::BeamModel mesh(data::load_case("paper").beam, 4);
+  const solver::BeamModel mesh(data::load_case("paper").beam(), 4);
   const Eigen::MatrixXd stiffness(mesh.elastic_stiffness());
   // A few roundings of each entry; of the follower term, those of the stiffness that it is the difference of.
   const auto expect = [&](const std::string& name, const Eigen::MatrixXd& solved, double scale) {

@@ -176,7 +176,7 @@ MeshErrors reaction(const data::Beam& any, RandomNumbers& numbers) {
     const data::Case problem = with(paper_problem(hz, amplitude), beam, kelvin_voigt(eta));
     const BeamProblem theory{beam, {0.0, 2.0 * std::numbers::pi * hz}, eta};
     const Complex exact =
-        analytic::DampedSteadyState(beam, problem.excitation, problem.damping, analytic::TipSupport::held)
+        analytic::DampedSteadyState(beam, problem.excitation(), problem.damping, analytic::TipSupport::held)
             .friction_force();
     MeshError error = energy_of_errors(theory, theory.motion(true, Given::position_of_tip),
                                        theory.motion(false, Given::position_of_tip, 0.0, 1.0));

@@ -70,7 +70,7 @@ TEST(CriterionAnswer, ChangesAtCriticalAmplitudes) {
 }
 
 TEST(CriterionAnswer, NearestIsBelowOrAbove) {
-  const auto modes = analytic::stick_modes(paper_at("35", "1e-3").beam, 2);  // 24.97 and 81.08 Hz
+  const auto modes = analytic::stick_modes(paper_at("35", "1e-3").beam(), 2);  // 24.97 and 81.08 Hz
   for (const auto& [hz, mode] :
        {std::pair<double, int>{5.0, 1}, {27.0, 1}, {53.0, 1}, {53.1, 2}, {90.0, 2}}) {
     const auto nearest = studies::criterion_answer(paper_at(data::shortest_text(hz), "1e-3")).nearest;
@@ -87,9 +87,9 @@ TEST(CriterionAnswer, CurveHasTheResonances) {
       [](const CaseText& text, RandomNumbers& numbers) {
         const data::Case problem = with_value(text.problem(), "numerics.modes", 4);
         const auto curve = studies::critical_amplitude_curve(problem);
-        const double hz = problem.excitation.frequency_hz(), first = 0.25 * hz,
+        const double hz = problem.excitation().frequency_hz(), first = 0.25 * hz,
                      last = std::max(4.0 * hz,
-                                     1.25 * analytic::stick_modes(problem.beam, 1).front().frequency_hz());
+                                     1.25 * analytic::stick_modes(problem.beam(), 1).front().frequency_hz());
         ASSERT_EQ(curve.natural_hz.size(), 4u);
         EXPECT_DOUBLE_EQ(curve.points.front().frequency_hz, first);
         EXPECT_TRUE(within(curve.points.back().frequency_hz, last, round_off(10, 1, last)));
@@ -97,7 +97,7 @@ TEST(CriterionAnswer, CurveHasTheResonances) {
           const double ratio = curve.points[i].frequency_hz / curve.points[i - 1].frequency_hz;
           EXPECT_TRUE(1.0 < ratio && ratio < std::pow(last / first, 1.0001 / 240.0)) << ratio;
         }
-        for (const auto& mode : analytic::stick_modes(problem.beam, 4)) {
+        for (const auto& mode : analytic::stick_modes(problem.beam(), 4)) {
           const double natural = curve.natural_hz[static_cast<std::size_t>(mode.number() - 1)];
           EXPECT_TRUE(within(natural, mode.frequency_hz(), round_off(4, 1, natural)));
           const bool is_a_point =
@@ -115,7 +115,7 @@ TEST(CriterionAnswer, CurveHasTheResonances) {
 }
 
 TEST(CriterionAnswer, ResonanceHasNoSteadyForce) {
-  const double natural = analytic::stick_modes(paper_at("25", "1e-3").beam, 1).front().frequency_hz();
+  const double natural = analytic::stick_modes(paper_at("25", "1e-3").beam(), 1).front().frequency_hz();
   const auto steady_at = [](double hz) {
     return studies::criterion_answer(paper_at(data::shortest_text(hz), "1e-3")).steady;
   };

@@ -74,14 +74,14 @@ TEST(ModelForm, OfADeadLoadBuckles) {
   const auto form =
       studies::model_form(data::load_case("paper"), data::load_case("paper-half-stiffness"), flat, 5);
   ASSERT_EQ(form.planes.size(), 3u);
-  const double euler = std::pow(std::numbers::pi / flat.beam.length(), 2) / 4.0 * rigidity(flat.beam);
-  EXPECT_LT(euler, flat.beam.axial_force());
+  const double euler = std::pow(std::numbers::pi / flat.beam().length(), 2) / 4.0 * rigidity(flat.beam());
+  EXPECT_LT(euler, flat.beam().axial_force());
   // Over 5 lengths and 100 forces: 20.19 EI/L^2 ends the stick state, pi^2 EI/(4 L^2) the stability of the slip state.
   std::size_t cells = 0, buckled = 0;
   for (int i = 0; i < 5; ++i)
     for (int j = 0; j < 100; ++j) {
       const double factor =
-          5.0 * std::pow(6600.0, j / 99.0) * std::pow(0.4 + 0.4 * i, 2) / rigidity(flat.beam);
+          5.0 * std::pow(6600.0, j / 99.0) * std::pow(0.4 + 0.4 * i, 2) / rigidity(flat.beam());
       cells += factor < 20.1907 ? 1u : 0u;
       buckled += factor >= std::pow(std::numbers::pi, 2) / 4.0 && factor < 20.1907 ? 1u : 0u;
     }
@@ -121,7 +121,7 @@ TEST(ModelForm, OfADeadLoadBuckles) {
 
 // The square section of the paper with k = 5/6 and Poisson's ratio 0.3.
 data::Beam sheared_beam(double length, double axial_force, double axial_direction = 0.0) {
-  data::BeamProperties beam = data::load_case("paper").beam.properties();
+  data::BeamProperties beam = data::load_case("paper").beam().properties();
   beam.length = length;
   beam.axial_force = axial_force;
   beam.axial_direction = axial_direction;
@@ -166,10 +166,10 @@ TEST(ShearReaction, OfMeshesConverges) {
 STICKSLIP_VERIFIES(ShearScope, "X24");
 TEST(ShearScope, IsRefusedByNameWhereThereIsNoShear) {
   data::Case problem = data::load_case("paper");
-  problem.beam = studies::with_shear(problem.beam);
+  problem.structure = studies::with_shear(problem.beam());
   const data::Damping damping({.kelvin_voigt = 1e-5});
-  const data::Beam& beam = problem.beam;
-  const data::HarmonicExcitation& excitation = problem.excitation;
+  const data::Beam& beam = problem.beam();
+  const data::HarmonicExcitation& excitation = problem.excitation();
   const std::function<void()> attempts[] = {
       [&] { (void)analytic::stick_modes(beam, 1); },
       [&] { (void)analytic::slip_modes(beam, 1); },
@@ -193,7 +193,7 @@ STICKSLIP_VERIFIES(ShearEffect, "X24");
 TEST(ShearEffect, IsInTheWarningOfAThickBeam) {
   const data::Case thick =
       data::load_case("paper", {{"beam.length", "0.8"}, {"excitation.frequency_hz", "120"}});
-  const data::Case sheared = with(thick, studies::with_shear(thick.beam));
+  const data::Case sheared = with(thick, studies::with_shear(thick.beam()));
   const auto thick_beam = [](const data::Case& problem) {
     const auto warnings = studies::problem_warnings(problem, studies::Inquiry::criterion);
     const auto found = std::ranges::find(warnings, studies::Concern::thick_beam, &studies::Warning::concern);
@@ -212,7 +212,7 @@ TEST(ShearEffect, IsInTheWarningOfAThickBeam) {
   EXPECT_TRUE(effect_at("excitation.amplitude", 0.5 * (with_shear.critical_amplitude.midpoint() +
                                                        without.critical_amplitude.midpoint()))
                   .ends_with(", and the verdict is stick-slip instead of stick"));
-  EXPECT_TRUE(effect_at("beam.axial_force", 0.99 * analytic::stick_buckling_load(thick.beam))
+  EXPECT_TRUE(effect_at("beam.axial_force", 0.99 * analytic::stick_buckling_load(thick.beam()))
                   .ends_with("the beam buckles"));
   EXPECT_EQ(thick_beam(with(thick, data::Damping({.ratio = 0.01}))).find("shear_stiffness"),
             std::string::npos);

@@ -95,7 +95,7 @@ TEST(ConvergedHistory, CoversFinerSteps) {
   for (std::size_t level = 1; level < 8; ++level) {
     const auto& each = history.levels[level];
     EXPECT_EQ(each.method, level < 4 ? "boundary integral" : "free modes");
-    EXPECT_EQ(each.modes, level < 4 ? 0 : studies::free_modes_for(problem.beam, each.time_step));
+    EXPECT_EQ(each.modes, level < 4 ? 0 : studies::free_modes_for(problem.beam(), each.time_step));
     if (level == 4) continue;
     EXPECT_EQ(each.time_step, 2.0 * history.levels[level - 1].time_step);
     EXPECT_TRUE(level % 4 < 3 || each.error > history.levels[level - 2].error);

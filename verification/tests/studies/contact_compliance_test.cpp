@@ -208,10 +208,10 @@ TEST(YieldingContactForce, RefusesALoadByRounding) {
   };
   // The rounding of 1 mm makes a ten-thousandth of mu_s P = 300 N.
   const double stiffest = 1e-4 * 300.0 / (std::numeric_limits<double>::epsilon() * 1e-3);
-  EXPECT_NO_THROW(run(0.99 * stiffest, problem.friction));
+  EXPECT_NO_THROW(run(0.99 * stiffest, problem.contact.friction));
   EXPECT_NO_THROW(run(1e24, data::FrictionLaw({})));  // nothing to hold
   const std::string message =
-      error_message_of<data::FieldError>([&] { run(1.01 * stiffest, problem.friction); });
+      error_message_of<data::FieldError>([&] { run(1.01 * stiffest, problem.contact.friction); });
   EXPECT_TRUE(message.starts_with("contact.tangential_stiffness is ")) << message;
 }
 
@@ -266,8 +266,8 @@ TEST(CompliantReaction, IsThatOfFiniteElements) {
   const data::Case paper = data::load_case("damped");
   const data::FrictionLaw strong({.static_coefficient = 1e6, .kinetic_coefficient = 1e6});
   for (const double k : {6e4, 1e6}) {
-    const analytic::DampedForce closed(analytic::compliant_reaction(paper.beam, paper.damping, k, 20),
-                                       2.0 * pi * paper.excitation.frequency_hz(), 1.0);
+    const analytic::DampedForce closed(analytic::compliant_reaction(paper.beam(), paper.damping, k, 20),
+                                       2.0 * pi * paper.excitation().frequency_hz(), 1.0);
     const auto largest_error = [&](double h) {
       solver::BeamSimulation simulation(with_value(with(paper, strong, spring(k)), "numerics.time_step", h));
       double largest = 0.0;
@@ -275,7 +275,7 @@ TEST(CompliantReaction, IsThatOfFiniteElements) {
         simulation.step();
         largest = largest_or_nan(
             {largest, std::abs(simulation.friction_force() -
-                               paper.excitation.amplitude() * closed.value(simulation.time()))});
+                               paper.excitation().amplitude() * closed.value(simulation.time()))});
       }
       return largest;
     };
@@ -291,12 +291,12 @@ TEST(CompliantReaction, TendsToTheHeldTip) {
   const data::Case paper = data::load_case("paper");
   const double omega = 2.0 * pi * 35.0;
   const double held =
-      analytic::DampedForce(analytic::damped_reaction(paper.beam, {}, 10, analytic::SteadyPart::exact), omega,
-                            1.0)
+      analytic::DampedForce(analytic::damped_reaction(paper.beam(), {}, 10, analytic::SteadyPart::exact),
+                            omega, 1.0)
           .steady_amplitude();
   std::vector<OrderLevel> steady, start;
   for (const double k : {1e9, 4e9, 1.6e10, 6.4e10}) {
-    const analytic::DampedReaction reaction = analytic::compliant_reaction(paper.beam, {}, k, 10);
+    const analytic::DampedReaction reaction = analytic::compliant_reaction(paper.beam(), {}, k, 10);
     double strike = 0.0;
     for (const auto& share : reaction.shares) strike = std::max(strike, std::abs(share.start));
     start.push_back({.step = 1.0 / k, .error = strike, .next_term = 0.05});
@@ -312,7 +312,7 @@ TEST(CompliantReaction, TendsToTheHeldTip) {
 
 // 83.9 kN: above the flutter load of the sliding beam, 83.5 kN, and below the buckling load of the held one, 84.1 kN.
 TEST(CompliantReaction, RefusesASpringOfFlutter) {
-  data::BeamProperties properties = data::load_case("paper").beam.properties();
+  data::BeamProperties properties = data::load_case("paper").beam().properties();
   properties.axial_force = 83.9e3;
   const data::Beam beam(properties);
   EXPECT_NO_THROW((void)analytic::compliant_reaction(beam, {}, 1e7, 10));

@@ -19,7 +19,7 @@ using analytic::ModalContactRun;
 data::Case case_with_step(const std::string& name, double frequency_hz, double amplitude, double step,
                           double duration, int modes) {
   data::Case problem = data::load_case(name);
-  problem.excitation = data::HarmonicExcitation({.frequency_hz = frequency_hz, .amplitude = amplitude});
+  problem.motion = data::HarmonicExcitation({.frequency_hz = frequency_hz, .amplitude = amplitude});
   problem.numerics = data::NumericalSettings({.elements = problem.numerics.elements(),
                                               .time_step = step,
                                               .spectral_radius = problem.numerics.spectral_radius(),
@@ -112,8 +112,8 @@ TEST(MotionQuantities, CountTheForceOfEitherSign) {
     const double step = 1e-3 / hz;
     const data::Case problem = case_with_step("damped", hz, amplitude, step, 2.0 / hz, 10);
     const analytic::DampedForce force(
-        analytic::damped_reaction(problem.beam, problem.damping, 10, analytic::SteadyPart::exact),
-        studies::angular_frequency(problem.excitation), 1.0);
+        analytic::damped_reaction(problem.beam(), problem.damping, 10, analytic::SteadyPart::exact),
+        studies::angular_frequency(problem.excitation()), 1.0);
     double least = 0.0, greatest = 0.0;
     for (int i = 1; i <= 2000; ++i) {
       least = std::min(least, amplitude * force.value(i * step));
@@ -325,7 +325,7 @@ TEST(ParameterSweep, ShowsHysteresis) {
   const double largest_stuck =
       studies::friction_limit(problem) /
       analytic::DampedForce(
-          analytic::damped_reaction(problem.beam, problem.damping, 10, analytic::SteadyPart::exact),
+          analytic::damped_reaction(problem.beam(), problem.damping, 10, analytic::SteadyPart::exact),
           2.0 * std::numbers::pi * 35.0, 10.0)
           .steady_amplitude();
   task.values.insert(task.values.end(), {0.97 * largest_stuck, 1.1 * largest_stuck});

@@ -58,17 +58,17 @@ TEST(MapAxis, ChangesItsParameterAlone) {
     EXPECT_EQ(value_of(changed, path), other) << path;
   }
   const auto kinetic = [&](double value) {
-    return with_value(problem, "friction.static_coefficient", value).friction.kinetic_coefficient();
+    return with_value(problem, "friction.static_coefficient", value).contact.friction.kinetic_coefficient();
   };
   EXPECT_EQ(kinetic(0.2), 0.2);
   EXPECT_EQ(kinetic(0.0), 0.0);
-  problem.beam = studies::with_shear(problem.beam);
-  EXPECT_DOUBLE_EQ(with_value(problem, "beam.youngs_modulus", 3e9).beam.shear_stiffness(),
-                   3e9 * problem.beam.area() / 3.12);
-  EXPECT_EQ(studies::without_shear(problem.beam).shear_stiffness(), 0.0);
+  problem.structure = studies::with_shear(problem.beam());
+  EXPECT_DOUBLE_EQ(with_value(problem, "beam.youngs_modulus", 3e9).beam().shear_stiffness(),
+                   3e9 * problem.beam().area() / 3.12);
+  EXPECT_EQ(studies::without_shear(problem.beam()).shear_stiffness(), 0.0);
   const data::Case paper = data::load_case("paper");
   EXPECT_DOUBLE_EQ(studies::friction_limit(paper), 300.0);
-  EXPECT_DOUBLE_EQ(studies::angular_frequency(paper.excitation), 157.07963267948966);
+  EXPECT_DOUBLE_EQ(studies::angular_frequency(paper.excitation()), 157.07963267948966);
   EXPECT_FALSE(studies::is_damped(paper));
   for (const auto parameter : {"damping.ratio", "damping.kelvin_voigt"})
     EXPECT_TRUE(studies::is_damped(with_value(paper, parameter, 1e-12)));
@@ -77,7 +77,7 @@ TEST(MapAxis, ChangesItsParameterAlone) {
 STICKSLIP_VERIFIES(CriterionMap, "X7");
 // Values of one number of a case, around its own; a number that may be 0 has that as well.
 studies::MapAxis axis_of(const data::Case& problem, std::string_view key) {
-  const double value = value_of(problem, key), omega = studies::angular_frequency(problem.excitation);
+  const double value = value_of(problem, key), omega = studies::angular_frequency(problem.excitation());
   if (key == "damping.ratio") return {.parameter = key, .values = {0.0, 0.01}};
   if (key == "damping.kelvin_voigt") return {.parameter = key, .values = {0.0, 0.02 / omega}};
   if (key == "beam.axial_direction") return {.parameter = key, .values = {0.0, 0.6}};
@@ -89,7 +89,7 @@ struct Seen {
   int stick{}, slip{}, buckled{};
 
   void expect_criterion(const data::Case& point, const studies::CriterionMap::Cell& cell) {
-    const bool is_buckled = point.beam.axial_force() >= analytic::stick_buckling_load(point.beam);
+    const bool is_buckled = point.beam().axial_force() >= analytic::stick_buckling_load(point.beam());
     EXPECT_EQ(cell.state.has_value(), !is_buckled);
     EXPECT_EQ(cell.force_ratio.has_value(), !is_buckled);
     if (is_buckled) return void(++buckled);
@@ -147,7 +147,7 @@ TEST(CriterionMap, HoldsTheCriterionOfEachCell) {
   EXPECT_GT(std::min({seen.stick, seen.slip, seen.buckled}), 20);
   // With shear a map over the frequency shares one reaction, and one over the length does not.
   data::Case sheared = data::load_case("paper");
-  sheared.beam = studies::with_shear(sheared.beam);
+  sheared.structure = studies::with_shear(sheared.beam());
   for (const auto key : {"excitation.frequency_hz", "beam.length"})
     seen.expect_map(sheared, axis_of(sheared, key), axis_of(sheared, "excitation.amplitude"));
 }
@@ -322,8 +322,8 @@ TEST(LengthForceMap, HoldsTheCriterionOfEachPoint) {
     EXPECT_DOUBLE_EQ(lengths[115], std::lerp(lengths[100], lengths[130], 0.25));
     for (std::size_t i = 0; i < line.length.size(); i += 13) {
       const auto criterion =
-          analytic::evaluate_criterion(flat_beam(line.length[i], line.axial_force), problem.friction,
-                                       problem.excitation, problem.numerics.duration());
+          analytic::evaluate_criterion(flat_beam(line.length[i], line.axial_force), problem.contact.friction,
+                                       problem.excitation(), problem.numerics.duration());
       const double ratio = criterion.force_max.midpoint() / criterion.friction_limit;
       EXPECT_TRUE(within(line.force_ratio[i], ratio, reference(1e-3 * ratio, "the stated 0.1 %")))
           << line.length[i] << " m, " << line.axial_force << " N";
@@ -346,12 +346,12 @@ TEST(LengthForceMap, StatesTheCaseAndItsLimits) {
   const double z = std::sqrt(map.buckling_coefficient);  // tan z = z, with the condition number z^2 = 20
   EXPECT_TRUE(within(std::tan(z) / z, 1.0, round_off(50, 1, 1.0)));
   const double height = map.section_height, width = map.section_width;
-  EXPECT_DOUBLE_EQ(width * height, problem.beam.area());
-  EXPECT_DOUBLE_EQ(width * height * height * height / 12.0, problem.beam.second_moment_of_area());
+  EXPECT_DOUBLE_EQ(width * height, problem.beam().area());
+  EXPECT_DOUBLE_EQ(width * height * height * height / 12.0, problem.beam().second_moment_of_area());
   ASSERT_EQ(map.resonance_lengths.size(), 2U);
   for (const int mode : {1, 2})
     EXPECT_EQ(map.resonance_lengths[static_cast<std::size_t>(mode - 1)],
-              studies::resonance_length(problem.beam, mode, 25.0));
+              studies::resonance_length(problem.beam(), mode, 25.0));
 }
 
 }  // namespace

@@ -113,8 +113,8 @@ TEST(DerivedResults, UnexplainedShareOfEnergy) {
 
 STICKSLIP_VERIFIES(FrictionCurve, "P2");
 TEST(FrictionCurve, OpposesTheSlidingVelocity) {
-  const auto& law = paper().friction;
-  const double normal_force = paper().beam.axial_force();
+  const auto& law = paper().contact.friction;
+  const double normal_force = paper().beam().axial_force();
   std::vector<double> at_rest;
   for (const auto& point : studies::friction_curve(law, normal_force)) {
     const double expected =

@@ -43,7 +43,7 @@ double margin_on_a_grid(const data::Case& problem, const FrequencyBand& band) {
 STICKSLIP_VERIFIES(BandMargin, "X15");
 TEST(BandMargin, HasTheNaturalFrequenciesOfTheBand) {
   const data::Case problem = flat_case();
-  const auto modes = analytic::stick_modes(problem.beam, 3);
+  const auto modes = analytic::stick_modes(problem.beam(), 3);
   const auto margin = studies::band_margin(problem, {1.0, 40.0});
   ASSERT_EQ(margin.resonances.size(), 3u);
   for (std::size_t i = 0; i < 3; ++i) {
@@ -113,7 +113,7 @@ TEST(DesignScan, HoldsWhatTheCriterionSays) {
   on_random_cases(10, domain, [&](const CaseText& text, RandomNumbers& numbers) {
     const data::Case drawn = with_value(text.problem(), "numerics.modes", numbers.whole(2, 10));
     const auto key_of_amplitude = data::amplitude_keys.at(static_cast<std::size_t>(numbers.whole(0, 2)));
-    const double hz = numbers.uniform(0.9, 1.0) * drawn.excitation.frequency_hz(),
+    const double hz = numbers.uniform(0.9, 1.0) * drawn.excitation().frequency_hz(),
                  amplitude = value_of(drawn, key_of_amplitude);
     const FrequencyBand band{hz, numbers.whole(0, 1) == 0 ? hz : hz * numbers.uniform(1.001, 1.1)};
     const double margin = margin_over(with_value(drawn, key_of_amplitude, amplitude), band).upper;
@@ -139,7 +139,7 @@ TEST(DesignScan, AvoidsTheTwoLengthsOfFigure14) {
   EXPECT_DOUBLE_EQ(scan.accuracy, 2e-5);
   ASSERT_EQ(scan.intervals.size(), 5u);
   for (const int mode : {1, 2}) {
-    const double resonance = *studies::resonance_length(problem.beam, mode, 25.0);
+    const double resonance = *studies::resonance_length(problem.beam(), mode, 25.0);
     EXPECT_TRUE(within(resonance, mode == 1 ? 0.879 : 1.578, reference(5e-4, "three digits as printed")));
     const DesignInterval& avoided = interval_at(scan, resonance);
     EXPECT_FALSE(avoided.sticks);
@@ -178,9 +178,9 @@ TEST(DesignScan, FindsAPeakBetweenItsValues) {
     // In units in which times are large.
     const data::Case problem =
         in_units(Units{.time = 1024.0}, with_value(text.problem(), "numerics.modes", 4));
-    const double hz = problem.excitation.frequency_hz(),
-                 resonance = studies::resonance_length(problem.beam, 1, hz).value(),
-                 amplitude = problem.excitation.amplitude();
+    const double hz = problem.excitation().frequency_hz(),
+                 resonance = studies::resonance_length(problem.beam(), 1, hz).value(),
+                 amplitude = problem.excitation().amplitude();
     double least = std::numeric_limits<double>::infinity(), worst = 0.0;
     for (int i = 0; i <= 400; ++i) {
       const double length = resonance * std::lerp(0.9, 1.1, i / 400.0),
@@ -215,8 +215,9 @@ TEST(DesignScan, NamesFrequenciesOfTheBandOnly) {
   int named = 0;
   for (const DesignInterval& interval : scan.intervals) {
     const double middle = 0.5 * (interval.from + interval.to);
-    const double hz =
-        analytic::stick_modes(with_value(flat_case(), "beam.length", middle).beam, 1).front().frequency_hz();
+    const double hz = analytic::stick_modes(with_value(flat_case(), "beam.length", middle).beam(), 1)
+                          .front()
+                          .frequency_hz();
     const bool inside = band.from_hz < hz && hz < band.to_hz;
     if (!interval.sticks) {
       EXPECT_EQ(interval.resonances, inside ? std::vector<int>{1} : std::vector<int>{}) << middle;

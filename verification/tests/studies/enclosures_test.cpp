@@ -26,7 +26,7 @@ using analytic::Verdict;
 using certified::Real;
 using std::numbers::pi;
 
-double omega_of(const data::Case& problem) { return studies::angular_frequency(problem.excitation); }
+double omega_of(const data::Case& problem) { return studies::angular_frequency(problem.excitation()); }
 
 ::testing::AssertionResult enclose(const Bounds& bounds, const Bounds& truth) {
   if (bounds.lower <= truth.upper && truth.lower <= bounds.upper) return ::testing::AssertionSuccess();
@@ -180,13 +180,13 @@ double relative(const Bounds& bounds, double width) { return width * bounds.lowe
 // All that find the largest |f| of an undamped beam with numerics.modes.
 std::vector<Search> searches_of_modes() {
   const auto response = [](const data::Case& problem) {
-    return analytic::StickResponse(problem.beam, problem.excitation, problem.numerics.modes());
+    return analytic::StickResponse(problem.beam(), problem.excitation(), problem.numerics.modes());
   };
   const auto by_width = [](double width) {
     return [width](const data::Case&, const Bounds& bounds) { return relative(bounds, width); };
   };
   constexpr double model = 1e-9;
-  const auto step_of = [](const data::Case& problem) { return 0.29 / problem.excitation.frequency_hz(); };
+  const auto step_of = [](const data::Case& problem) { return 0.29 / problem.excitation().frequency_hz(); };
   return {{"samples",
            [=](const data::Case& problem) {
              return response(problem).sampled_max_abs_friction_force(problem.numerics.duration(),
@@ -194,11 +194,11 @@ std::vector<Search> searches_of_modes() {
            },
            [=](const data::Case& problem, const Bounds&) {  // h^2/8 times the sum of the curvatures
              const double step = step_of(problem), omega = omega_of(problem);
-             const auto reaction = analytic::modal_reaction(problem.beam, problem.numerics.modes());
+             const auto reaction = analytic::modal_reaction(problem.beam(), problem.numerics.modes());
              double bend = std::abs(reaction.quasi_static) * omega * omega;
              for (const auto& [natural, coefficient] : reaction.modes)
                bend += std::abs(coefficient / (omega - natural)) * std::pow(omega, 3);
-             return problem.excitation.amplitude() * bend * step * step / 8.0 * (1.0 + 1e-9);
+             return problem.excitation().amplitude() * bend * step * step / 8.0 * (1.0 + 1e-9);
            }},
           {"halving",
            [=](const data::Case& problem) {
@@ -209,14 +209,14 @@ std::vector<Search> searches_of_modes() {
            by_width(2e-10)},
           {"damped without damping",
            [](const data::Case& problem) {
-             const auto reaction = analytic::damped_reaction(problem.beam, {}, problem.numerics.modes());
-             return problem.excitation.amplitude() *
+             const auto reaction = analytic::damped_reaction(problem.beam(), {}, problem.numerics.modes());
+             return problem.excitation().amplitude() *
                     DampedForce(reaction, omega_of(problem), problem.numerics.duration()).refined_to(1e-8);
            },
            by_width(2e-8), model},
           {"band of one frequency",
            [](const data::Case& problem) {
-             const double hz = problem.excitation.frequency_hz();
+             const double hz = problem.excitation().frequency_hz();
              return studies::band_margin(problem, {hz, hz}).force_max;
            },
            by_width(1.01e-6)}};
@@ -235,12 +235,12 @@ TEST(Enclosures, OfNModesHoldTheCertifiedForce) {
     // With few modes the bounds have no slack.
     const int modes = numbers.whole(0, 1) == 0 ? 1 : numbers.whole(2, 10);
     const data::Case problem = with_value(text.problem(), "numerics.modes", modes);
-    const Sum sum{analytic::modal_reaction(problem.beam, problem.numerics.modes()), omega_of(problem),
+    const Sum sum{analytic::modal_reaction(problem.beam(), problem.numerics.modes()), omega_of(problem),
                   problem.numerics.duration()};
     const auto certain = sum.largest();
     if (!certain) return;
-    const double truth = problem.excitation.amplitude() * certain->nearest_double(),
-                 rounding = problem.excitation.amplitude() *
+    const double truth = problem.excitation().amplitude() * certain->nearest_double(),
+                 rounding = problem.excitation().amplitude() *
                             ForceMaximum(sum.reaction, sum.omega, sum.duration).rounding();
     for (const auto& [name, bounds_of, width, model] : searches_of_modes()) {
       SCOPED_TRACE(name);
@@ -249,7 +249,7 @@ TEST(Enclosures, OfNModesHoldTheCertifiedForce) {
       EXPECT_TRUE(enclose(bounds, {truth - error, truth + error}));
       EXPECT_LE(bounds.upper - bounds.lower, width(problem, bounds) + 4.0 * error);
       const Bounds twice =
-          bounds_of(with_value(problem, "excitation.amplitude", 2.0 * problem.excitation.amplitude()));
+          bounds_of(with_value(problem, "excitation.amplitude", 2.0 * problem.excitation().amplitude()));
       EXPECT_EQ(twice.lower, 2.0 * bounds.lower);
       EXPECT_EQ(twice.upper, 2.0 * bounds.upper);
     }
@@ -282,7 +282,7 @@ double largest_of_samples(const std::function<double(double)>& f, double duratio
 }
 
 double spring_of(const data::Case& problem, double share) {
-  return share * 3.0 * rigidity(problem.beam) / std::pow(problem.beam.length(), 3);
+  return share * 3.0 * rigidity(problem.beam()) / std::pow(problem.beam().length(), 3);
 }
 
 TEST(Enclosures, OfDampedBeamsHoldEachInstant) {
@@ -298,8 +298,8 @@ TEST(Enclosures, OfDampedBeamsHoldEachInstant) {
     const double omega = omega_of(problem), duration = problem.numerics.duration();
     const int modes = numbers.whole(1, 10);
     for (const auto& reaction :
-         {analytic::damped_reaction(problem.beam, problem.damping, modes),
-          analytic::compliant_reaction(problem.beam, problem.damping,
+         {analytic::damped_reaction(problem.beam(), problem.damping, modes),
+          analytic::compliant_reaction(problem.beam(), problem.damping,
                                        spring_of(problem, numbers.log_uniform(3.0, 1e3)), modes)}) {
       double fastest = omega, slowest = 1e300;
       for (const auto& share : reaction.shares) {
@@ -331,7 +331,7 @@ TEST(Enclosures, HoldTheModesThatAreLeftOut) {
     if (!studies::is_damped(problem)) return;
     const double omega = omega_of(problem), duration = problem.numerics.duration();
     const auto reaction = [&](int modes) {
-      return analytic::damped_reaction(problem.beam, problem.damping, modes, analytic::SteadyPart::exact);
+      return analytic::damped_reaction(problem.beam(), problem.damping, modes, analytic::SteadyPart::exact);
     };
     const DampedForce force(reaction(40), omega, duration, reaction(20)), all(reaction(160), omega, duration);
     for (int i = 0; i < 400; ++i) {
@@ -339,7 +339,8 @@ TEST(Enclosures, HoldTheModesThatAreLeftOut) {
       EXPECT_LE(std::abs(force.value(t) - all.value(t)), force.omitted(t)) << t;
     }
     if (problem.damping.ratio() > 0.0) return;
-    const analytic::DampedSteadyState steady(problem.beam, shaking(problem.excitation.frequency_hz(), 1.0),
+    const analytic::DampedSteadyState steady(problem.beam(),
+                                             shaking(problem.excitation().frequency_hz(), 1.0),
                                              problem.damping, analytic::TipSupport::held);
     const double exact = std::abs(steady.friction_force());
     EXPECT_TRUE(enclose(force.steady_bounds(), {exact, exact}));
@@ -353,8 +354,8 @@ data::Case at_hz(const data::Case& problem, double hz) {
 }
 
 double steady_force(const data::Case& problem) {
-  return problem.excitation.amplitude() *
-         DampedForce(analytic::damped_reaction(problem.beam, problem.damping, problem.numerics.modes()),
+  return problem.excitation().amplitude() *
+         DampedForce(analytic::damped_reaction(problem.beam(), problem.damping, problem.numerics.modes()),
                      omega_of(problem), problem.numerics.duration())
              .steady_amplitude();
 }
@@ -364,12 +365,12 @@ void expect_decisions(const data::Case& problem, const FrequencyBand& band, doub
   const auto search = [&]() -> analytic::BandMaximum {
     const int modes = problem.numerics.modes();
     const double duration = problem.numerics.duration();
-    if (!studies::is_damped(problem)) return {problem.beam, band, duration, modes};
-    return {analytic::damped_reaction(problem.beam, problem.damping, modes), band, duration,
+    if (!studies::is_damped(problem)) return {problem.beam(), band, duration, modes};
+    return {analytic::damped_reaction(problem.beam(), problem.damping, modes), band, duration,
             analytic::DampedForcePart::start_up};
   };
   for (const double share : {0.3, 0.99, 0.9998, 1.0002, 1.01, 3.0}) {
-    const double limit = share * largest / at_hz(problem, band.from_hz).excitation.amplitude();
+    const double limit = share * largest / at_hz(problem, band.from_hz).excitation().amplitude();
     analytic::BandMaximum against = search();
     const Bounds bounds = against.refined_against(limit, 1e-6);
     EXPECT_TRUE(share < 1.0 ? bounds.lower > limit : bounds.upper <= limit) << share;
@@ -389,8 +390,8 @@ TEST(EnclosuresOfBands, HoldTheForceAtEachFrequency) {
     data::Case problem = text.problem();
     const bool damped = studies::is_damped(problem);
     const auto held = static_cast<data::AmplitudeOf>(numbers.whole(0, 2));
-    const double hz = problem.excitation.frequency_hz(), duration = problem.numerics.duration();
-    problem = with(problem, data::HarmonicExcitation(problem.excitation.stated_as(held)));
+    const double hz = problem.excitation().frequency_hz(), duration = problem.numerics.duration();
+    problem = with(problem, data::HarmonicExcitation(problem.excitation().stated_as(held)));
     // From narrower than a resonance to an octave.
     const FrequencyBand band{hz, hz + std::min(numbers.log_uniform(0.1, 10.0) / duration, hz), held};
     double largest = 0.0, largest_steady = 0.0;
@@ -462,7 +463,7 @@ TEST(Enclosures, OfAllModesHoldFiniteElements) {
     EXPECT_TRUE(std::isfinite(found.critical_amplitude.upper));
     EXPECT_TRUE(enclose(found.force_max, by_elements(problem)));
     const auto twice = studies::criterion_with_all_modes(
-        data::with_value(problem, "excitation.amplitude", 2.0 * problem.excitation.amplitude()), 1e-8);
+        data::with_value(problem, "excitation.amplitude", 2.0 * problem.excitation().amplitude()), 1e-8);
     EXPECT_TRUE(twice.verdict != found.verdict || twice.force_max.upper == 2.0 * found.force_max.upper);
   });
 }
@@ -473,7 +474,8 @@ TEST(Enclosures, OfAllModesHoldTheForceOfMoreModes) {
   undamped.kelvin_voigt = undamped.ratio = 0.0;
   on_random_cases(16, undamped, [](const CaseText& text, RandomNumbers&) {
     const data::Case problem = text.problem();
-    const analytic::StickResponse more(problem.beam, problem.excitation, 800, analytic::SteadyPart::exact);
+    const analytic::StickResponse more(problem.beam(), problem.excitation(), 800,
+                                       analytic::SteadyPart::exact);
     const auto [lower, upper] = more.max_abs_friction_force(problem.numerics.duration(), 1e-12);
     const double omitted = more.omitted_transient_bound();
     EXPECT_TRUE(enclose(studies::criterion_with_all_modes(problem, 1e-12).force_max,
@@ -483,9 +485,9 @@ TEST(Enclosures, OfAllModesHoldTheForceOfMoreModes) {
 
 // f(0+) = eta E I S'''(L) A0 Omega: the base sets the bent beam in motion at once.
 double jump_of(const data::Case& problem) {
-  return problem.damping.kelvin_voigt() * rigidity(problem.beam) *
-         std::abs(analytic::QuasiStaticShape(problem.beam).third_derivative(problem.beam.length())) *
-         problem.excitation.amplitude() * omega_of(problem);
+  return problem.damping.kelvin_voigt() * rigidity(problem.beam()) *
+         std::abs(analytic::QuasiStaticShape(problem.beam()).third_derivative(problem.beam().length())) *
+         problem.excitation().amplitude() * omega_of(problem);
 }
 
 TEST(Enclosures, OfAllModesHoldTheJumpAtTheStart) {

@@ -136,10 +136,11 @@ std::vector<ContactEvent> without_slips_of_one_step(const std::vector<ContactEve
 Found found_by_boundary_integral(const data::Case& problem, const Times& times) {
   const auto history = studies::boundary_integral_history(problem, {.times = times}, 1);
   for (const HistoryRow& row : history.rows) {  // means of two steps
-    EXPECT_TRUE(problem.friction.viscous() > 0.0 ||
+    EXPECT_TRUE(problem.contact.friction.viscous() > 0.0 ||
                 std::abs(row.friction_force) <= studies::friction_limit(problem) * (1.0 + 1e-9))
         << row.time;
-    EXPECT_TRUE(row.state == ContactState::slip || row.sliding_velocity == 0.0 || !problem.contact.is_rigid())
+    EXPECT_TRUE(row.state == ContactState::slip || row.sliding_velocity == 0.0 ||
+                !problem.contact.compliance.is_rigid())
         << row.time;
   }
   return {without_slips_of_one_step(without_reversals(history.events), problem.numerics.time_step()),
@@ -151,9 +152,9 @@ Found found_by_boundary_integral(const data::Case& problem, const Times& times) 
 Found found_in_fixed_steps(const data::Case& problem, const Times& times) {
   const analytic::ContactModel model = studies::response_model(problem);
   const analytic::ContactModes modes(model);
-  const double force = problem.beam.axial_force();
+  const double force = problem.beam().axial_force();
   analytic::ModalContactRun run(modes, model,
-                                static_cast<int>(std::lround(1.0 / (problem.excitation.frequency_hz() *
+                                static_cast<int>(std::lround(1.0 / (problem.excitation().frequency_hz() *
                                                                     problem.numerics.time_step()))));
   run.start_stuck();
   Found found;
@@ -173,7 +174,7 @@ Found found_in_fixed_steps(const data::Case& problem, const Times& times) {
                            : ContactEvent{now == 0.0 ? ContactChange::capture : ContactChange::reversal,
                                           run.time(), run.contact_position()});
     const double mean = 0.5 * std::abs(before + after),
-                 law = force * solver::friction_coefficient(problem.friction.in_slip(), mean);
+                 law = force * solver::friction_coefficient(problem.contact.friction.in_slip(), mean);
     if (now == 0.0)
       found.rows_off_law += after != 0.0 || std::abs(run.friction_force()) > studies::friction_limit(problem);
     else if (before * after >= 0.0)  // else it turns round, with the force of each direction for a while
@@ -213,7 +214,7 @@ std::vector<BeamMethod> beam_methods() {
   quick.yielding = 0.2;
   const auto of_case = [](const data::Case& problem) { return problem.numerics.time_step(); };
   const auto of_map = [](const data::Case& problem) {
-    return 1.0 / (problem.excitation.frequency_hz() * studies::steps_per_period(problem));
+    return 1.0 / (problem.excitation().frequency_hz() * studies::steps_per_period(problem));
   };
   // (omega h)^2/12 of a work by the trapezoidal rule; mode 10 has 50 steps in a period. A change stands on a step, and means over that
   // step and its neighbours decide which one.
@@ -330,14 +331,14 @@ TEST_P(RandomHistories, AgreeWithEventsAndObeyTheLaw) {
                        discretisation(method.unexplained, 1.0, "trapezoidal rule, or tolerance of a step")));
     if (method.order > 0.0)
       energy_orders.push_back(0.5 * std::log2(runs.twice.unexplained / runs.half.unexplained));
-    if (!problem.contact.is_rigid()) return;
+    if (!problem.contact.compliance.is_rigid()) return;
     const Judge judge(problem, times);
     EXPECT_EQ(judge.few.rows_off_law + judge.many.rows_off_law, 0);
     if (!judge.is_converged()) return;
     ++compared;
     const auto these = expect_changes(judge, runs);
     orders.insert(orders.end(), these.begin(), these.end());
-    expect_motion(judge, runs, problem.excitation.amplitude());
+    expect_motion(judge, runs, problem.excitation().amplitude());
   });
   EXPECT_GT(compared, 2);
   if (method.order == 0.0) return;
@@ -363,7 +364,7 @@ TEST(RandomRows, ObeyTheLawOnEveryStep) {
     on_motions(8, any_feature, [&](const data::Case& problem) {
       const studies::Method& method = studies::method(name);
       if (error_message_if_any<data::FieldError>([&] { method.require(problem); })) return;
-      const data::Case coarse = with_step(problem, 1.0 / (80.0 * problem.excitation.frequency_hz()));
+      const data::Case coarse = with_step(problem, 1.0 / (80.0 * problem.excitation().frequency_hz()));
       for (const data::Case& each : {problem, coarse, with_value(coarse, "numerics.spectral_radius", 0.9)})
         EXPECT_EQ(method.run(each, {}, {}, {}).rows_off_law, 0) << name << each.numerics.time_step();
     });
@@ -396,11 +397,11 @@ std::map<std::string, Feature> features_of(const data::Case& problem) {
   };
   add(problem.damping.kelvin_voigt() > 0.0, "damping.kelvin_voigt", Feature::kelvin_voigt);
   add(problem.damping.ratio() > 0.0, "damping.ratio", Feature::damping_ratio);
-  add(problem.contact.is_smooth(), "contact.regularisation_velocity", Feature::yielding_contact);
-  add(!problem.contact.is_smooth() && !problem.contact.is_rigid(), "contact.tangential_stiffness",
-      Feature::yielding_contact);
-  add(problem.wall.speed() != 0.0, "wall.speed", Feature::moving_wall);
-  add(problem.beam.shear_stiffness() > 0.0, "beam.shear_stiffness", Feature::shear);
+  add(problem.contact.compliance.is_smooth(), "contact.regularisation_velocity", Feature::yielding_contact);
+  add(!problem.contact.compliance.is_smooth() && !problem.contact.compliance.is_rigid(),
+      "contact.tangential_stiffness", Feature::yielding_contact);
+  add(problem.contact.wall.speed() != 0.0, "wall.speed", Feature::moving_wall);
+  add(problem.beam().shear_stiffness() > 0.0, "beam.shear_stiffness", Feature::shear);
   return features;
 }
 
@@ -430,7 +431,7 @@ TEST(MethodRefusals, AreThoseOfTheTable) {
       EXPECT_EQ(message({.scheme = solver::ContactScheme::located}) != "",
                 method.refused.contains(Feature::contact_scheme));
       EXPECT_EQ(message({.scheme = solver::ContactScheme::paper}) != "",
-                method.refused.contains(Feature::contact_scheme) || !problem.contact.is_rigid());
+                method.refused.contains(Feature::contact_scheme) || !problem.contact.compliance.is_rigid());
     }
   });
 }
@@ -454,7 +455,7 @@ STICKSLIP_VERIFIES(RowsOfMethods, "X9");
 TEST(RowsOfMethods, AreThoseOfTheSampling) {
   const data::Case problem =
       case_of("paper", {{"excitation.amplitude", "1"}, {"excitation.duration", "0.004"}});
-  const double h = problem.numerics.time_step(), length = problem.beam.length();
+  const double h = problem.numerics.time_step(), length = problem.beam().length();
   for (const studies::Method& method : studies::methods()) {
     SCOPED_TRACE(method.name);
     const auto all = method.run(problem, {}, {}, {});
@@ -618,7 +619,7 @@ TEST(EndlessMotion, IsStopped) {
     } catch (const data::InputError& error) {
       EXPECT_TRUE(holds(error.what(), "the motion is stopped at 0.")) << each.name << error.what();
     }
-    EXPECT_LT(largest, studies::most_deflection * problem.beam.length() + 1.0) << each.name;
+    EXPECT_LT(largest, studies::most_deflection * problem.beam().length() + 1.0) << each.name;
   }
 }
 

@@ -83,7 +83,7 @@ TEST(ThickBeam, WarnsWhereTimoshenkosDiffers) {
 
 // The estimate holds for every direction of P: slopes and third derivatives of the mode itself.
 TEST(ThickBeam, InSlipIsThatOfTheModeItself) {
-  const data::Beam beam = paper_with({{"beam.axial_direction", "1"}, {"beam.axial_force", "8000"}}).beam;
+  const data::Beam beam = paper_with({{"beam.axial_direction", "1"}, {"beam.axial_force", "8000"}}).beam();
   const auto mode = analytic::slip_modes(beam, 2).back();
   const double h = 1e-3;
   double slopes = 0.0, thirds = 0.0, values = 0.0, curvatures = 0.0;
@@ -133,7 +133,7 @@ TEST(DistantRows, AreWarnedOfWhereFinerRowsDiffer) {
   const auto& method = studies::method("closed-form");
   on_random_cases(40, of_forces, [&](const CaseText& text, RandomNumbers& numbers) {
     const data::Case problem = text.problem();
-    const double spacing = std::min(numbers.log_uniform(0.02, 1.0) / problem.excitation.frequency_hz(),
+    const double spacing = std::min(numbers.log_uniform(0.02, 1.0) / problem.excitation().frequency_hz(),
                                     0.3 * problem.numerics.duration());
     const long every = std::max(std::lround(spacing / problem.numerics.time_step()), 1L);
     // Up to the last of the rows: what comes after it no estimate between rows can know.
@@ -188,7 +188,7 @@ TEST(LongStep, IsWarnedOfWithAStepThatPasses) {
     const data::Case drawn = text.problem();
     const auto with_step = [&](double step) { return with_value(drawn, "numerics.time_step", step); };
     const double step = numbers.log_uniform(1e-3, 0.2) *
-                        std::min(1.0 / drawn.excitation.frequency_hz(), drawn.numerics.duration());
+                        std::min(1.0 / drawn.excitation().frequency_hz(), drawn.numerics.duration());
     const auto found = studies::problem_warnings(with_step(step), Inquiry::stepped_history);
     if (const auto* warning = find(found, Concern::long_step)) {
       ++warned;
@@ -214,12 +214,12 @@ TEST(LongStep, IsWarnedOfWithAStepThatPasses) {
 STICKSLIP_VERIFIES(ModesThatMatter, "X21");
 // max |f| in closed form over the duration, or over a period of the excitation or of the first mode if that is longer.
 TEST(ModesThatMatter, HaveAnAmplitudeAboveAShare) {
-  const double natural = analytic::stick_modes(paper_with().beam, 1).front().frequency_hz();
+  const double natural = analytic::stick_modes(paper_with().beam(), 1).front().frequency_hz();
   for (const double duration : {0.002, 1.0})
     for (int hz = 5; hz <= 300; hz += 5) {
       const data::Case problem =
           paper_with({{"excitation.frequency_hz", digits(hz)}, {"excitation.duration", digits(duration)}});
-      const analytic::StickResponse response(problem.beam, problem.excitation, problem.numerics.modes());
+      const analytic::StickResponse response(problem.beam(), problem.excitation(), problem.numerics.modes());
       const double span = std::max({duration, 1.0 / hz, 1.0 / natural});
       const double largest = response.max_abs_friction_force(span, 1e-3).upper;
       const auto vibrations = response.transient_force();
@@ -244,7 +244,7 @@ TEST(Resonance, WarnsWhileTheReactionGrows) {
   long_ones.highest_frequency = 1.01;
   on_random_cases(6, long_ones, [](const CaseText& text, RandomNumbers&) {
     const data::Case drawn = text.problem();
-    const double natural = analytic::modal_forces(drawn.beam, 1).front().angular_frequency /
+    const double natural = analytic::modal_forces(drawn.beam(), 1).front().angular_frequency /
                            (2.0 * std::numbers::pi),
                  duration = drawn.numerics.duration();
     for (const double half_beats : {0.0, 0.5, 0.99, 1.01, 2.2}) {
@@ -254,18 +254,18 @@ TEST(Resonance, WarnsWhileTheReactionGrows) {
       const auto warnings = studies::problem_warnings(problem, Inquiry::criterion);
       const auto* warning = find(warnings, Concern::resonance);
       EXPECT_EQ(warning != nullptr, half_beats < 1.0);
-      const analytic::StickResponse response(problem.beam, problem.excitation, 10);
+      const analytic::StickResponse response(problem.beam(), problem.excitation(), 10);
       const bool grows = response.max_abs_friction_force(duration, 1e-3).lower >
                          1.001 * response.max_abs_friction_force(0.9 * duration, 1e-3).upper;
       EXPECT_TRUE(grows == (half_beats < 1.0) || (half_beats > 0.6 && half_beats < 2.0));
       if (warning == nullptr) continue;
-      EXPECT_EQ(warning->value, problem.excitation.frequency_hz());
+      EXPECT_EQ(warning->value, problem.excitation().frequency_hz());
       EXPECT_DOUBLE_EQ(warning->limit, natural);
       EXPECT_EQ(holds(warning->sentence, "grows with t, without end,"), half_beats == 0.0);
       EXPECT_TRUE(warns(problem, Inquiry::closed_form_history, Concern::resonance));
       EXPECT_FALSE(warns(problem, Inquiry::stepped_history, Concern::resonance));
       // The amplitude grows to Omega T/2 = 10 times that of one period; damping and rest end it.
-      const double ten = 20.0 / studies::angular_frequency(problem.excitation);
+      const double ten = 20.0 / studies::angular_frequency(problem.excitation());
       for (const auto& [key, value, is_left] : {std::tuple{"excitation.duration", 1.01 * ten, true},
                                                 {"excitation.duration", 0.99 * ten, false},
                                                 {"damping.ratio", 0.01, false},
@@ -281,7 +281,7 @@ TEST(Resonance, IsWarnedOfWithinTenPercent) {
   on_random_cases(6, of_forces, [](const CaseText& text, RandomNumbers&) {
     const data::Case drawn = with_value(text.problem(), "numerics.modes", 40);
     const double natural =
-        analytic::modal_forces(drawn.beam, 1).front().angular_frequency / (2.0 * std::numbers::pi);
+        analytic::modal_forces(drawn.beam(), 1).front().angular_frequency / (2.0 * std::numbers::pi);
     for (const double share : {-0.3, -0.11, -0.09, 0.09, 0.11, 0.3}) {
       const data::Case problem = with_values(drawn, {{"excitation.frequency_hz", natural / (1.0 + share)},
                                                      {"excitation.duration", 20.0 / natural}});
@@ -292,8 +292,9 @@ TEST(Resonance, IsWarnedOfWithinTenPercent) {
       if (std::abs(share) > 0.2) continue;  // the other modes count there
       const auto force = [&](double factor) {
         const data::Case other =
-            with_value(problem, "beam.density", drawn.beam.density() / (factor * factor));
-        return std::abs(analytic::StickResponse(other.beam, other.excitation, 40).steady_force_amplitude());
+            with_value(problem, "beam.density", drawn.beam().density() / (factor * factor));
+        return std::abs(
+            analytic::StickResponse(other.beam(), other.excitation(), 40).steady_force_amplitude());
       };
       const double change = 0.01 / std::abs(share);
       EXPECT_TRUE(
@@ -312,7 +313,7 @@ TEST(DrawBack, IsThatOfFiniteElements) {
     const data::Case problem =
         data::with_value(with(text.problem(), data::FrictionLaw({.static_coefficient = 1e9})),
                          "numerics.spectral_radius", 1.0);
-    const double length = problem.beam.length();
+    const double length = problem.beam().length();
     studies::Sampling sampling{.every = 4};
     for (int i = 0; i <= 100; ++i) sampling.positions.push_back(std::min(length * i / 100, length));
     double draw_back = 0.0, deflection = 0.0;
@@ -338,8 +339,8 @@ TEST(DrawBack, HasKnownValuesAndIsWarnedOf) {
     EXPECT_TRUE(
         within(found.bending->draw_back, start_up, reference(0.01 * start_up, "two or three digits")));
     EXPECT_TRUE(within(*found.steady_draw_back, steady, reference(0.01 * steady, "two or three digits")));
-    EXPECT_EQ(studies::draw_back_warning(problem.beam, found.bending->draw_back).has_value(), is_warned_of);
-    EXPECT_DOUBLE_EQ(studies::spring_that_keeps(problem.beam, 1e-3), 100.0 * problem.beam.axial_force());
+    EXPECT_EQ(studies::draw_back_warning(problem.beam(), found.bending->draw_back).has_value(), is_warned_of);
+    EXPECT_DOUBLE_EQ(studies::spring_that_keeps(problem.beam(), 1e-3), 100.0 * problem.beam().axial_force());
   };
   CaseText strip;
   for (const auto& [key, value] : {std::pair{"beam.length", "0.4"},
@@ -374,10 +375,10 @@ TEST(Flutter, IsWarnedOfWhereAModeGrows) {
     const data::Case problem = text.problem();
     const auto grows_at = [&](double load) {
       const auto model = studies::response_model(with_value(problem, "beam.axial_force", load));
-      return std::ranges::any_of(analytic::sliding_eigenvalues(model, -problem.friction.viscous() * load),
-                                 studies::grows);
+      return std::ranges::any_of(
+          analytic::sliding_eigenvalues(model, -problem.contact.friction.viscous() * load), studies::grows);
     };
-    const double load = problem.beam.axial_force();
+    const double load = problem.beam().axial_force();
     const auto warning = studies::instability_warning(problem);
     const bool grows = grows_at(1.003 * load);
     if (grows != grows_at(0.997 * load)) return;
@@ -422,8 +423,9 @@ TEST(Flutter, HasTheLoadsOfEachDirectionAndOfShear) {
       const bool is_stable = factor == stable;
       EXPECT_EQ(studies::instability_warning(problem).has_value(), !is_stable);
       if (flexibility > 0.0) continue;
-      EXPECT_EQ(!error_message_if_any<data::FieldError>([&] { (void)analytic::slip_modes(problem.beam, 2); }),
-                is_stable);
+      EXPECT_EQ(
+          !error_message_if_any<data::FieldError>([&] { (void)analytic::slip_modes(problem.beam(), 2); }),
+          is_stable);
     }
 }
 
@@ -569,7 +571,7 @@ TEST(ProblemWarnings, AreOneSentenceEach) {
 }
 
 TEST(ProblemWarnings, RefuseFromTheNamedPeriodsOn) {
-  const double tenth = analytic::stick_modes(paper_with().beam, 10).back().frequency_hz();
+  const double tenth = analytic::stick_modes(paper_with().beam(), 10).back().frequency_hz();
   const auto error_message = [](double hz, double duration, Inquiry inquiry) {
     return error_message_if_any<data::FieldError>([&] {
       studies::require_feasible(paper_with({{"excitation.frequency_hz", digits(hz)},

@@ -32,24 +32,24 @@ STICKSLIP_VERIFIES(SlenderForce, "X22");
 // the excitation, 24.72 Hz to 25 Hz; half a beat of 3.6 s is inside the duration, so that the largest |f| follows the distance.
 TEST(SlenderForce, NearResonanceIsThatOfAMesh) {
   const auto force = studies::slender_force(paper_at(25.0));
-  const data::Case sheared = with(paper_at(25.0), studies::with_shear(paper().beam));
+  const data::Case sheared = with(paper_at(25.0), studies::with_shear(paper().beam()));
   constexpr int elements = 80;
   const double finite_element =
       solver::max_abs_friction_force(with_value(sheared, "numerics.elements", elements));
-  const double omega = analytic::modal_forces(sheared.beam, 1).front().angular_frequency;
-  const double excitation = studies::angular_frequency(sheared.excitation);
-  const double mass = sheared.beam.density() * sheared.beam.area();
-  const double stiffness = sheared.beam.youngs_modulus() * sheared.beam.second_moment_of_area();
-  const double l = sheared.beam.length() / elements;
+  const double omega = analytic::modal_forces(sheared.beam(), 1).front().angular_frequency;
+  const double excitation = studies::angular_frequency(sheared.excitation());
+  const double mass = sheared.beam().density() * sheared.beam().area();
+  const double stiffness = sheared.beam().youngs_modulus() * sheared.beam().second_moment_of_area();
+  const double l = sheared.beam().length() / elements;
   const double mesh = mass * omega * omega *
-                      (std::pow(l, 4) / stiffness / 1440.0 + l * l / sheared.beam.shear_stiffness() / 24.0);
+                      (std::pow(l, 4) / stiffness / 1440.0 + l * l / sheared.beam().shear_stiffness() / 24.0);
   const double step =
       studies::step_error(sheared.numerics.spectral_radius(), omega, sheared.numerics.time_step());
   EXPECT_TRUE(within(force.shifted_force_max, finite_element,
                      discretisation((mesh + step) * omega / (excitation - omega) * finite_element, 3.0,
                                     "frequency of mode 1 over its distance to the excitation")));
   EXPECT_GT(force.force_max, 7.0 * force.shifted_force_max);
-  EXPECT_NEAR(force.model_errors.front(), studies::stick_model_error(paper().beam, 1),
+  EXPECT_NEAR(force.model_errors.front(), studies::stick_model_error(paper().beam(), 1),
               0.05 * force.model_errors.front());
 }
 
@@ -208,9 +208,10 @@ TEST(DimensionlessCase, OfThePaperHasItsGroups) {
   EXPECT_NEAR(groups.decay, 1e-3 * 50.0 * std::numbers::pi, 1e-12);
   EXPECT_NEAR(groups.damping, 0.005, 3e-5);
   const data::Case strip = data::load_case("steel-strip");
-  const double exact = analytic::StickResponse(strip.beam, strip.excitation, 100, analytic::SteadyPart::exact)
-                           .max_abs_friction_force(10.0)
-                           .midpoint();
+  const double exact =
+      analytic::StickResponse(strip.beam(), strip.excitation(), 100, analytic::SteadyPart::exact)
+          .max_abs_friction_force(10.0)
+          .midpoint();
   const double error = solver::max_abs_friction_force(with(strip, data::Damping())) / exact - 1.0;
   EXPECT_NEAR(studies::dimensionless(strip).force_error, std::abs(error), 1e-8);
   EXPECT_LE(studies::dimensionless(strip).unpredicted, 1.0);

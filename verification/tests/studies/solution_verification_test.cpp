@@ -120,7 +120,7 @@ void the_value_of_a_force_and_its_uncertainty_hold_the_enclosed_one() {
   const data::Case paper = data::load_case("paper");
   for (const double hz : {15.0, 25.0, 35.0, 70.0}) {
     const analytic::StickResponse response(
-        paper.beam, data::HarmonicExcitation({.frequency_hz = hz, .amplitude = 0.5e-3}), 100,
+        paper.beam(), data::HarmonicExcitation({.frequency_hz = hz, .amplitude = 0.5e-3}), 100,
         analytic::SteadyPart::exact);
     const analytic::Bounds exact = response.max_abs_friction_force(paper.numerics.duration());
     const double omitted = response.omitted_transient_bound();
@@ -149,10 +149,10 @@ void references_are_those_of_their_figures() {
                                           {"figure5b.first_slip", 25.0, 1e-3},
                                           {"figure5c.first_slip", 35.0, 1e-3},
                                           {"figure5d.first_slip", 70.0, 1e-3}})
-    EXPECT_TRUE(within(
-        std::abs(analytic::StickResponse(paper.beam, shaking(hz, amplitude), 60, analytic::SteadyPart::exact)
-                     .friction_force(result(id).reference)),
-        300.0, discretisation(1e-3, 10.0, "the force of the times")));
+    EXPECT_TRUE(within(std::abs(analytic::StickResponse(paper.beam(), shaking(hz, amplitude), 60,
+                                                        analytic::SteadyPart::exact)
+                                    .friction_force(result(id).reference)),
+                       300.0, discretisation(1e-3, 10.0, "the force of the times")));
   EXPECT_DOUBLE_EQ(result("figure6.minimum.amplitude").reference * result("force_max.25").reference, 0.15);
 }
 

@@ -30,14 +30,14 @@ data::Case reed(const std::vector<data::Override>& overrides = {}) {
 data::Case viscous_reed() { return reed({{"damping.ratio", "0.0"}, {"damping.kelvin_voigt", "1.27e-5"}}); }
 
 solver::ContactSystem mesh_of(const data::Case& problem, int elements) {
-  return solver::beam_contact_system(solver::BeamModel(problem.beam, elements), problem.friction,
-                                     solver::harmonic_motion(problem.excitation), problem.damping,
-                                     problem.wall);
+  return solver::beam_contact_system(solver::BeamModel(problem.beam(), elements), problem.contact.friction,
+                                     solver::harmonic_motion(problem.excitation()), problem.damping,
+                                     problem.contact.wall);
 }
 
 std::vector<double> free_frequencies(const data::Case& problem, int count) {
   std::vector<double> frequencies;
-  for (const auto& mode : analytic::slip_modes(problem.beam, count))
+  for (const auto& mode : analytic::slip_modes(problem.beam(), count))
     frequencies.push_back(mode.angular_frequency());
   return frequencies;
 }
@@ -76,10 +76,10 @@ TEST(SteadySliding, DeflectionIsThatOfTheMesh) {
 
 TEST(SteadySliding, HasTheSlopeOfFrictionInBoth) {
   data::Case problem = reed();
-  problem.friction = data::FrictionLaw(
+  problem.contact.friction = data::FrictionLaw(
       {.static_coefficient = 0.6, .kinetic_coefficient = 0.4, .decay = 2.0, .viscous = 0.3});
-  const double force = problem.beam.axial_force();
-  const double slope = analytic::falling_slope(problem.friction, force, problem.wall.speed());
+  const double force = problem.beam().axial_force();
+  const double slope = analytic::falling_slope(problem.contact.friction, force, problem.contact.wall.speed());
   EXPECT_TRUE(within(solver::falling_slope(mesh_of(problem, 2)), slope, round_off(10, 1, 0.7 * force)));
 }
 
@@ -126,10 +126,10 @@ TEST(SteadySliding, OfOneModeIsAFormula) {
   std::vector<double> coupling;
   for (const std::string damping : {"4e-6", "2e-6"}) {
     const data::Case problem = reed({{"damping.ratio", "0.0"}, {"damping.kelvin_voigt", damping}});
-    const auto mode = analytic::sliding_modes(analytic::TipMobility(problem.beam, problem.damping),
+    const auto mode = analytic::sliding_modes(analytic::TipMobility(problem.beam(), problem.damping),
                                               free_frequencies(problem, 1), 0.0)
                           .front();
-    const double input = analytic::free_modes(problem.beam, 1).front().input;
+    const double input = analytic::free_modes(problem.beam(), 1).front().input;
     EXPECT_TRUE(within(mode.one_mode_slope * input / 2.0, -mode.free_root.real(),
                        discretisation(-1e-12 * mode.free_root.real(), 5.0, "(1e-3)^4 of the derivative")));
     coupling.push_back(mode.hopf->slope / mode.one_mode_slope - 1.0);
@@ -200,7 +200,8 @@ TEST(SteadySliding, MapHasTheBoundaryOfTheHopfPoint) {
   EXPECT_TRUE(within(squeal.slope, 10.0 * std::exp(-1.5), round_off(10, 1, 10.0)));
   // (beta l)^4/720 of mode 3 on 20 elements. A static deflection is a cubic, but for the small P.
   const double mesh = std::pow(7.86 / 20.0, 4) / 720.0;
-  const double tip = analytic::steady_sliding(problem.beam, problem.friction, problem.wall).tip_displacement;
+  const double tip = analytic::steady_sliding(problem.beam(), problem.contact.friction, problem.contact.wall)
+                         .tip_displacement;
   EXPECT_EQ(squeal.tip_displacement, tip);
   EXPECT_TRUE(within(squeal.finite_element_displacement, tip, discretisation(mesh * tip, 1.0, "mesh")));
   const auto roots = analytic::sliding_eigenvalues(studies::response_model(problem), squeal.slope);
@@ -238,7 +239,7 @@ TEST(SteadySliding, IsJudgedByResolvedModes) {
     const double beta_l = 1.948 * problem.numerics.elements();
     EXPECT_TRUE(
         within(squeal.resolved_modes, beta_l / std::numbers::pi + 0.5, reference(1.0, "a whole number")));
-    const double omega = beta_l * beta_l * frequency_unit(problem.beam);
+    const double omega = beta_l * beta_l * frequency_unit(problem.beam());
     EXPECT_TRUE(within(2.0 * std::numbers::pi * squeal.resolved_hz, omega,
                        discretisation(omega * 1e-3, 1.0, "four digits of 1.948")));
     EXPECT_LT(std::abs(squeal.fastest), 2.0 * std::numbers::pi * squeal.resolved_hz);
@@ -259,7 +260,7 @@ TEST(SteadySliding, DivergesWithARealRootOfTheBeam) {
   ASSERT_TRUE(squeal.diverges());
   EXPECT_FALSE(squeal.modes.front().root);
   EXPECT_EQ(squeal.modes.front().finite_element_root, squeal.fastest);
-  const analytic::TipMobility mobility(problem.beam, problem.damping);
+  const analytic::TipMobility mobility(problem.beam(), problem.damping);
   EXPECT_TRUE(within((1.0 / mobility(squeal.fastest)).real() / squeal.slope, 1.0,
                      discretisation(1e-3, 1.0, "sigma of a mesh of 40 elements")));
 }
@@ -282,7 +283,7 @@ TEST(MovingWallOfTheMesh, HasTheChangesOfEvents) {
     errors.push_back(studies::largest_difference(events, exact, exact.size()).time);
     for (const auto& onset : {events.front(), exact.front()}) {  // a tip that sticks goes with the wall
       EXPECT_EQ(onset.change, data::ContactChange::onset);
-      EXPECT_TRUE(within(onset.position, problem.wall.speed() * onset.time, round_off(100, 1, 1e-3)));
+      EXPECT_TRUE(within(onset.position, problem.contact.wall.speed() * onset.time, round_off(100, 1, 1e-3)));
     }
   }
   EXPECT_GT(errors[0] / errors[1], 3.5);  // second order, down to what mesh and modes leave

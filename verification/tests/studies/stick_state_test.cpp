@@ -263,7 +263,7 @@ TEST(BeamMotionAt, AgreesWithinThePrediction) {
     EXPECT_NEAR(study.reference.rows.back().time, start + period, 0.5001e-4);
     // The free modes say means over steps of 1e-4/128 s: off by less than half a step times the largest slope.
     const data::Case at = paper_problem(hz, 0.5e-3);
-    const analytic::StickResponse response(at.beam, at.excitation, 60, analytic::SteadyPart::exact);
+    const analytic::StickResponse response(at.beam(), at.excitation(), 60, analytic::SteadyPart::exact);
     double slope = 2.0 * std::numbers::pi * hz * std::abs(response.steady_force_amplitude());
     for (const auto& [amplitude, omega] : response.transient_force()) slope += std::abs(amplitude) * omega;
     const double force_error = response.omitted_transient_bound() + 0.5 * 1e-4 / 128.0 * slope;
@@ -294,7 +294,7 @@ TEST(BeamMotion, IsTheClosedFormUntilFirstSlip) {
   const auto closed_form = studies::closed_form_history(at, grid, analytic::SteadyPart::exact);
   // They differ in the steady part of the modes n > 10: A0 (Omega/omega_n)^2 |U_n C_n|, which falls as n^-5,
   // so that its tail is n/4 times its first term. |U_n| <= 1.6.
-  const auto next = analytic::stick_modes(at.beam, at.numerics.modes() + 1).back();
+  const auto next = analytic::stick_modes(at.beam(), at.numerics.modes() + 1).back();
   const double ratio = 2.0 * std::numbers::pi * 25.0 / next.angular_frequency();
   const double first_term = 0.5e-3 * ratio * ratio * 1.6 * std::abs(next.participation());
   EXPECT_TRUE(within(studies::largest_difference(events, closed_form, 0.0969), 0.0,

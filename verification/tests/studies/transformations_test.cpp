@@ -121,8 +121,8 @@ data::Case off_resonance(const data::Beam& beam, RandomNumbers& numbers) {
 }
 
 data::NumericalSettings settings(const data::Case& problem, double periods) {
-  const double of_excitation = period(problem.excitation);
-  const double shorter = std::min(of_excitation, 2.0 * pi / stick_frequencies(problem.beam, 1).front());
+  const double of_excitation = period(problem.excitation());
+  const double shorter = std::min(of_excitation, 2.0 * pi / stick_frequencies(problem.beam(), 1).front());
   return data::NumericalSettings({.elements = mesh_elements,
                                   .time_step = 0.01 * shorter,
                                   .spectral_radius = 0.9,
@@ -135,8 +135,9 @@ data::NumericalSettings settings(const data::Case& problem, double periods) {
 std::unique_ptr<solver::StickSlipIntegrator> started(
     const data::Case& problem, const solver::PrescribedMotion& base,
     const solver::IntegratorSettings& settings, solver::TipContact contact = solver::TipContact::friction) {
-  const solver::BeamModel model(problem.beam, mesh_elements);
-  solver::ContactSystem system = solver::beam_contact_system(model, problem.friction, base, problem.damping);
+  const solver::BeamModel model(problem.beam(), mesh_elements);
+  solver::ContactSystem system =
+      solver::beam_contact_system(model, problem.contact.friction, base, problem.damping);
   if (contact == solver::TipContact::bonded) system.normal_force = solver::bonding_force;
   auto integrator = std::make_unique<solver::StickSlipIntegrator>(system, settings);
   integrator->start_stuck(Eigen::VectorXd::Zero(model.degrees_of_freedom()),
@@ -192,8 +193,8 @@ constexpr Dimension number{}, length{1, 0, 0}, per_time{0, 0, -1}, velocity{1, 0
 
 /// Off resonance by 2 %, an error of a natural frequency counts fiftyfold, and in the phase with omega_n t.
 std::vector<Quantity> stick_response(const Scene& scene) {
-  const data::Beam& beam = scene.problem.beam;
-  const data::HarmonicExcitation& excitation = scene.problem.excitation;
+  const data::Beam& beam = scene.problem.beam();
+  const data::HarmonicExcitation& excitation = scene.problem.excitation();
   const double x = beam.length() * scene.x, duration = 2.0 * period(excitation), t = duration * scene.t;
   std::vector<Quantity> quantities;
   for (const auto part : {analytic::SteadyPart::modal_sum, analytic::SteadyPart::exact}) {
@@ -215,10 +216,10 @@ std::vector<Quantity> stick_response(const Scene& scene) {
 }
 
 std::vector<Quantity> criterion(const Scene& scene) {
-  const data::Beam& beam = scene.problem.beam;
-  const data::HarmonicExcitation& excitation = scene.problem.excitation;
-  const auto found =
-      analytic::evaluate_criterion(beam, scene.problem.friction, excitation, 2.0 * period(excitation));
+  const data::Beam& beam = scene.problem.beam();
+  const data::HarmonicExcitation& excitation = scene.problem.excitation();
+  const auto found = analytic::evaluate_criterion(beam, scene.problem.contact.friction, excitation,
+                                                  2.0 * period(excitation));
   const auto width = [](double value) {
     return discretisation(1e-10 * value, 1.0, "relative width of the enclosures");
   };
@@ -233,7 +234,7 @@ std::vector<Quantity> criterion(const Scene& scene) {
 }
 
 std::vector<Quantity> band_maximum(const Scene& scene) {
-  const data::Beam& beam = scene.problem.beam;
+  const data::Beam& beam = scene.problem.beam();
   const double first = stick_frequencies(beam, 1).front() / (2.0 * pi);
   analytic::BandMaximum band(beam, {0.5 * first, 1.5 * first}, 4.0 / first, 4);
   const auto found = band.refined_to(1e-2);
@@ -248,7 +249,7 @@ std::vector<Quantity> band_maximum(const Scene& scene) {
 std::vector<Quantity> stepped_reaction(const Scene& scene) {
   const auto numerics = settings(scene.problem, 0.7);
   const auto run =
-      started(scene.problem, solver::harmonic_motion(scene.problem.excitation),
+      started(scene.problem, solver::harmonic_motion(scene.problem.excitation()),
               {.time_step = numerics.time_step(), .spectral_radius = 0.9}, solver::TipContact::bonded);
   for (long n = solver::step_count(numerics.duration(), numerics.time_step()); n > 0; --n) run->step();
   std::vector<Quantity> quantities{{run->friction_force(), force}};
@@ -259,7 +260,7 @@ std::vector<Quantity> stepped_reaction(const Scene& scene) {
                         force,
                         {},
                         false,
-                        walk * std::pow(mesh_elements, 4) * nearness_of_buckling(scene.problem.beam)});
+                        walk * std::pow(mesh_elements, 4) * nearness_of_buckling(scene.problem.beam())});
   return quantities;
 }
 
@@ -284,20 +285,20 @@ History stepped_history(const Scene& scene) {
   const auto numerics = settings(problem, scene.periods);
   const double time_step =
       0.25 * numerics.time_step();  // as long as the law of friction of every beam allows
-  const double speed = 2.0 * pi * problem.excitation.frequency_hz() * problem.excitation.amplitude();
+  const double speed = 2.0 * pi * problem.excitation().frequency_hz() * problem.excitation().amplitude();
   const auto run = started(
-      problem, multiplied(solver::harmonic_motion(problem.excitation), scene.is_mirrored ? -1.0 : 1.0),
+      problem, multiplied(solver::harmonic_motion(problem.excitation()), scene.is_mirrored ? -1.0 : 1.0),
       {.time_step = time_step,
        .spectral_radius = 0.9,
        .velocity_threshold = scene.has_threshold ? 0.01 * speed : 0.0});
-  const solver::BeamModel model(problem.beam, mesh_elements);
+  const solver::BeamModel model(problem.beam(), mesh_elements);
   const long steps = solver::step_count(numerics.duration(), time_step);
   History history;
   for (int eighth = 1; eighth <= 8; ++eighth) {
     while (run->steps() < eighth * steps / 8) run->step();
     add_sample(*run, run->displacement()[run->system().contact], history);
     history.samples.push_back(
-        {model.interpolation(0.5 * problem.beam.length()).dot(run->displacement()), length, {}, true});
+        {model.interpolation(0.5 * problem.beam().length()).dot(run->displacement()), length, {}, true});
   }
   history.events = run->events();
   return history;
@@ -314,7 +315,7 @@ History event_driven_history(const Scene& scene) {
   analytic::EventDriven run(scene.is_mirrored ? mirrored(model) : model);
   History history;
   for (int eighth = 1; eighth <= 8; ++eighth) {
-    run.advance_to(0.125 * eighth * scene.periods * period(scene.problem.excitation));
+    run.advance_to(0.125 * eighth * scene.periods * period(scene.problem.excitation()));
     add_sample(run, run.contact_position(), history);
   }
   history.events = run.events();
@@ -324,11 +325,11 @@ History event_driven_history(const Scene& scene) {
 /// The beam let go from a bent shape, without any load: nothing but its own motion says what is small.
 History free_motion(const Scene& scene) {
   data::Case problem = scene.problem;
-  problem.excitation =
-      data::HarmonicExcitation({.frequency_hz = problem.excitation.frequency_hz(), .amplitude = 0.0});
+  problem.motion =
+      data::HarmonicExcitation({.frequency_hz = problem.excitation().frequency_hz(), .amplitude = 0.0});
   const analytic::ContactModel model = modal_model(problem);
   const double first = model.angular_frequency.front();
-  const double bent = 10.0 * problem.friction.static_coefficient() * problem.beam.axial_force() /
+  const double bent = 10.0 * problem.contact.friction.static_coefficient() * problem.beam().axial_force() /
                       (first * first * model.contact_mass);
   analytic::EventDriven run(model);
   run.start_slipping({}, {}, scene.is_mirrored ? -bent : bent, 0.0);
@@ -351,7 +352,7 @@ std::function<std::vector<Quantity>(const Scene&)> quantities_of(History (*run)(
     const History history = run(scene);
     std::vector<EventTolerances> allowed;
     if (scene.measures_errors && error > 0.0) {
-      Sensitivity sensitivity{.error = error, .amplitude = scene.problem.excitation.amplitude()};
+      Sensitivity sensitivity{.error = error, .amplitude = scene.problem.excitation().amplitude()};
       Scene changed = scene;
       changed.problem = with_amplitude(scene.problem, 1.0 + sensitivity.perturbation);
       sensitivity.perturbed = run(changed).events;
@@ -474,7 +475,7 @@ TEST_P(Similarity, FixesAllButTheUnits) {
         for (const auto& [other, units] : similar_beams(numbers, beam)) {
           Scene similar = scene;
           similar.problem = in_units(units, scene.problem);
-          similar.problem.beam = other;
+          similar.problem.structure = other;
           const auto there = GetParam().measure(similar);
           ASSERT_EQ(here.size(), there.size());
           for (std::size_t i = 0; i < here.size(); ++i) {
@@ -537,14 +538,14 @@ struct FirstSlip {
 };
 
 double slip_by_criterion(const data::Case& problem) {
-  const auto found = analytic::evaluate_criterion(problem.beam, problem.friction, problem.excitation,
-                                                  period(problem.excitation), 4);
+  const auto found = analytic::evaluate_criterion(problem.beam(), problem.contact.friction,
+                                                  problem.excitation(), period(problem.excitation()), 4);
   return found.verdict == analytic::Verdict::stick_slip ? 0.0 : never;
 }
 
 double critical_by_criterion(const data::Case& problem) {
-  return analytic::evaluate_criterion(problem.beam, problem.friction, problem.excitation,
-                                      period(problem.excitation), 4)
+  return analytic::evaluate_criterion(problem.beam(), problem.contact.friction, problem.excitation(),
+                                      period(problem.excitation()), 4)
       .critical_amplitude.midpoint();
 }
 
@@ -553,13 +554,14 @@ double stepped_slip(const data::Case& problem) {
 }
 
 double stepped_critical(const data::Case& problem) {
-  const data::HarmonicExcitation unit({.frequency_hz = problem.excitation.frequency_hz(), .amplitude = 1.0});
-  return problem.friction.static_coefficient() * problem.beam.axial_force() /
+  const data::HarmonicExcitation unit(
+      {.frequency_hz = problem.excitation().frequency_hz(), .amplitude = 1.0});
+  return problem.contact.friction.static_coefficient() * problem.beam().axial_force() /
          solver::max_abs_friction_force(with(problem, unit, settings(problem, 1.0), data::Damping()));
 }
 
 double event_driven_slip(const data::Case& problem) {
-  const EventDriven history = run(modal_model(problem), period(problem.excitation));
+  const EventDriven history = run(modal_model(problem), period(problem.excitation()));
   return history.events().empty() ? never : history.events().front().time;
 }
 
@@ -577,8 +579,8 @@ TEST_P(Monotonicity, OfTheFirstSlip) {
     const data::Case problem = slipping(beam, numbers);
     const auto slip_at = [&](double friction, double share) {
       data::Case varied = with_amplitude(problem, share);
-      varied.friction =
-          data::FrictionLaw({.static_coefficient = friction * problem.friction.static_coefficient()});
+      varied.contact.friction =
+          data::FrictionLaw({.static_coefficient = friction * problem.contact.friction.static_coefficient()});
       return GetParam().time(varied);
     };
     double by_friction = 0.0, by_amplitude = never;
@@ -590,7 +592,7 @@ TEST_P(Monotonicity, OfTheFirstSlip) {
       by_friction = friction, by_amplitude = share;
     }
     EXPECT_EQ(by_friction, never);
-    EXPECT_LT(by_amplitude, period(problem.excitation));
+    EXPECT_LT(by_amplitude, period(problem.excitation()));
   });
 }
 
@@ -601,7 +603,7 @@ STICKSLIP_VERIFIES(CriticalAmplitude, "M1");
 TEST_P(CriticalAmplitude, IsWhereSlipBegins) {
   on_random_beams(20, compression, [](const data::Beam& beam, RandomNumbers& numbers) {
     const data::Case problem = off_resonance(beam, numbers);
-    const double share = GetParam().critical_amplitude(problem) / problem.excitation.amplitude();
+    const double share = GetParam().critical_amplitude(problem) / problem.excitation().amplitude();
     EXPECT_EQ(GetParam().time(with_amplitude(problem, share * (1.0 - 1e-9))), never);
     EXPECT_LT(GetParam().time(with_amplitude(problem, share * (1.0 + 1e-9))), never);
   });
@@ -637,7 +639,7 @@ TEST(TimeShift, OfAPeriodRestartsTheHistory) {
   int events = 0;
   on_random_beams(20, compression, [&](const data::Beam& beam, RandomNumbers& numbers) {
     const data::Case problem = slipping(beam, numbers);
-    const double cycle = period(problem.excitation);
+    const double cycle = period(problem.excitation());
     const ContactModel model = modal_model(problem);
     const auto whole = run(model, 2.5 * cycle).events();
     const auto perturbed =
@@ -651,7 +653,7 @@ TEST(TimeShift, OfAPeriodRestartsTheHistory) {
       for (const data::ContactEvent& event : rest.events())
         computed.push_back({event.change, event.time + shift, sign * event.position});
       expect_same_events(computed, whole,
-                         {perturbed, amplitude_change, event_driven_error, problem.excitation.amplitude()});
+                         {perturbed, amplitude_change, event_driven_error, problem.excitation().amplitude()});
       events += static_cast<int>(rest.events().size());
     }
   });

@@ -235,7 +235,8 @@ TEST(JointDistribution, HasTheStatedCorrelation) {
 data::Case problem(double hz = 35.0) { return paper_problem(hz, 0.5e-3, 10.0); }
 
 double force_per_metre(const data::Case& of) {
-  return analytic::largest_unit_force(of.beam, of.damping, of.excitation.frequency_hz(), 10.0, 10).midpoint();
+  return analytic::largest_unit_force(of.beam(), of.damping, of.excitation().frequency_hz(), 10.0, 10)
+      .midpoint();
 }
 
 // mu_c: the tip slips if the static coefficient is smaller.
@@ -312,7 +313,7 @@ TEST(SlipProbability, OfAllModesHasFewSamples) {
     std::size_t slips = 0, truncated = 0;
     for (std::size_t i = 0; i < 1000; ++i) {
       const auto sample = joint.at(studies::independent_point(2, i, joint.size()));
-      const double ratio = joint.size() > 1 ? sample[1] / of.excitation.amplitude() : 1.0;
+      const double ratio = joint.size() > 1 ? sample[1] / of.excitation().amplitude() : 1.0;
       if (sample[0] < ratio * all_modes) ++slips;
       if (sample[0] < ratio * ten_modes) ++truncated;
     }
@@ -350,7 +351,7 @@ TEST(SlipProbability, OfCorrelatedKeysIsExact) {
 // A verdict comes from another search than the margin of the same sample. Damping makes the force much smaller.
 TEST(SlipProbability, CountsMarginsBelowOne) {
   data::Case of = problem();
-  const double modulus = of.beam.youngs_modulus();
+  const double modulus = of.beam().youngs_modulus();
   for (const data::Damping& damping : {data::Damping(), data::Damping({.ratio = 0.2})}) {
     of.damping = damping;
     const double critical = 300.0 / force_per_metre(of);

@@ -71,9 +71,9 @@ inline data::NumericalChoices paper_choices(double duration) {
 /// The paper's problem at another excitation (Hz, m), for another duration (s).
 inline data::Case paper_problem(double frequency_hz, double amplitude, double duration = 1.0) {
   return {.name = "paper",
-          .beam = paper_beam(),
-          .friction = paper_friction(),
-          .excitation = shaking(frequency_hz, amplitude),
+          .structure = paper_beam(),
+          .motion = shaking(frequency_hz, amplitude),
+          .contact = {.friction = paper_friction()},
           .numerics = data::NumericalSettings(paper_choices(duration))};
 }
 
@@ -103,9 +103,9 @@ inline data::Beam flat_beam(double length, double axial_force) {
 
 inline data::Case flat_case() {
   return {.name = "flat",
-          .beam = flat_beam(2.0, 500.0),
-          .friction = paper_friction(),
-          .excitation = data::HarmonicExcitation({.frequency_hz = 25.0, .amplitude = 1e-3}),
+          .structure = flat_beam(2.0, 500.0),
+          .motion = data::HarmonicExcitation({.frequency_hz = 25.0, .amplitude = 1e-3}),
+          .contact = {.friction = paper_friction()},
           .numerics = data::NumericalSettings(paper_choices(10.0))};
 }
 

@@ -22,13 +22,15 @@ inline const data::Case& paper() {
 
 inline data::HarmonicExcitation excitation(double hz, double amplitude) { return shaking(hz, amplitude); }
 
-inline double length() { return paper().beam.length(); }
-inline double axial_force() { return paper().beam.axial_force(); }
+inline double length() { return paper().beam().length(); }
+inline double axial_force() { return paper().beam().axial_force(); }
 inline double bending_stiffness() {
-  return paper().beam.youngs_modulus() * paper().beam.second_moment_of_area();
+  return paper().beam().youngs_modulus() * paper().beam().second_moment_of_area();
 }
-inline double mass_per_length() { return paper().beam.density() * paper().beam.area(); }
-inline double friction_limit() { return paper().friction.static_coefficient() * axial_force(); }  ///< mu_s P
+inline double mass_per_length() { return paper().beam().density() * paper().beam().area(); }
+inline double friction_limit() {
+  return paper().contact.friction.static_coefficient() * axial_force();
+}  ///< mu_s P
 inline double mm(double metres) { return 1e3 * metres; }
 
 /// A printed number, as far as its last digit tells.
@@ -39,7 +41,7 @@ inline bool is_printed(const std::string& id, double value) {
 
 /// Eqs. (29), (30), with Eq. (28).
 inline bool criterion_slips(double hz, double amplitude) {
-  return analytic::evaluate_criterion(paper().beam, paper().friction, excitation(hz, amplitude),
+  return analytic::evaluate_criterion(paper().beam(), paper().contact.friction, excitation(hz, amplitude),
                                       paper().numerics.duration(), paper().numerics.modes())
              .verdict == analytic::Verdict::stick_slip;
 }

@@ -122,20 +122,21 @@ inline double period(const data::HarmonicExcitation& excitation) { return 1.0 / 
 inline data::Case random_problem(RandomNumbers& numbers, const data::Beam& beam, double static_coefficient,
                                  const data::HarmonicMotion& motion, double kelvin_voigt) {
   const double speed = 2.0 * std::numbers::pi * motion.frequency_hz * motion.amplitude;
-  return {
-      .name = "random",
-      .beam = beam,
-      .friction = data::FrictionLaw({.static_coefficient = static_coefficient,
-                                     .kinetic_coefficient = static_coefficient * numbers.uniform(0.2, 1.0),
-                                     .decay = numbers.log_uniform(0.1, 3.0) / speed}),
-      .excitation = data::HarmonicExcitation(motion),
-      .numerics = data::NumericalSettings(paper_choices(1.0)),
-      .damping = data::Damping({.kelvin_voigt = kelvin_voigt})};
+  return {.name = "random",
+          .structure = beam,
+          .motion = data::HarmonicExcitation(motion),
+          .contact = {.friction = data::FrictionLaw(
+                          {.static_coefficient = static_coefficient,
+                           .kinetic_coefficient = static_coefficient * numbers.uniform(0.2, 1.0),
+                           .decay = numbers.log_uniform(0.1, 3.0) / speed})},
+          .numerics = data::NumericalSettings(paper_choices(1.0)),
+          .damping = data::Damping({.kelvin_voigt = kelvin_voigt})};
 }
 
 /// The same problem at another amplitude.
 inline data::Case with_amplitude(const data::Case& problem, double factor) {
-  return with(problem, shaking(problem.excitation.frequency_hz(), factor * problem.excitation.amplitude()));
+  return with(problem,
+              shaking(problem.excitation().frequency_hz(), factor * problem.excitation().amplitude()));
 }
 
 /// Numbers per SI unit.
@@ -191,8 +192,8 @@ inline data::NumericalSettings in_units(const Units& units, const data::Numerica
 }
 
 inline data::Case in_units(const Units& units, const data::Case& si) {
-  return with(si, in_units(units, si.beam), in_units(units, si.friction), in_units(units, si.excitation),
-              in_units(units, si.damping));
+  return with(si, in_units(units, si.beam()), in_units(units, si.contact.friction),
+              in_units(units, si.excitation()), in_units(units, si.damping));
 }
 
 /// Another beam with the same P L^2/EI, and the units in which everything else of both is the same: of length

@@ -8,9 +8,9 @@
 namespace stickslip::testing {
 
 std::complex<double> finite_element_steady_reaction(const data::Case& problem, int elements) {
-  const solver::BeamModel model(problem.beam, elements);
-  const double omega = 2.0 * std::numbers::pi * problem.excitation.frequency_hz();
-  const double amplitude = problem.excitation.amplitude();
+  const solver::BeamModel model(problem.beam(), elements);
+  const double omega = 2.0 * std::numbers::pi * problem.excitation().frequency_hz();
+  const double amplitude = problem.excitation().amplitude();
   const auto complex = [](const auto& matrix) {
     return Eigen::MatrixXcd(Eigen::MatrixXd(matrix).cast<std::complex<double>>());
   };

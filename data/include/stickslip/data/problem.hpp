@@ -35,6 +35,7 @@
 #include <string_view>
 #include <tuple>
 #include <type_traits>
+#include <variant>
 
 #include "stickslip/data/input_error.hpp"
 
@@ -210,6 +211,8 @@ struct DampingProperties {
   double kelvin_voigt{};  ///< η, s, ≥ 0: the bending moment is EI (u_xx + η u_xxt)
   /// ζ, 0 ≤ ζ < 1: fraction of critical damping of every mode of the beam with its tip free and P = 0
   double ratio{};
+
+  bool operator==(const DampingProperties&) const = default;
 };
 
 /// Damping inside the beam, the same in stick and slip; none by default. Both kinds add. Cannot be built
@@ -222,6 +225,8 @@ class Damping {
 
   [[nodiscard]] double kelvin_voigt() const noexcept { return properties_.kelvin_voigt; }
   [[nodiscard]] double ratio() const noexcept { return properties_.ratio; }
+  [[nodiscard]] const DampingProperties& properties() const noexcept { return properties_; }
+  [[nodiscard]] bool is_none() const noexcept { return properties_ == DampingProperties(); }
 
  private:
   DampingProperties properties_;
@@ -271,24 +276,56 @@ class NumericalSettings {
   NumericalChoices choices_;
 };
 
+/// What vibrates: one of these. They state no derived quantity.
+using Structure = std::variant<Beam>;
+
+/// The motion of the base: one of these.
+using Motion = std::variant<HarmonicExcitation>;
+
+/// The frictional contact: law, compliance and wall. The force that closes it is Case::normal_force().
+struct Contact {
+  FrictionLaw friction;
+  TangentialContact compliance{};
+  Wall wall{};
+};
+
+/// What a case, or a run of it, asks for beyond a beam of Euler and Bernoulli without damping on a rigid contact at rest.
+enum class Feature {
+  slip,               ///< the motion after the first slip, with its changes of contact
+  kelvin_voigt,       ///< damping.kelvin_voigt
+  damping_ratio,      ///< damping.ratio
+  yielding_contact,   ///< a spring or a smooth law of friction, [contact]
+  moving_wall,        ///< wall.speed
+  shear,              ///< beam.shear_stiffness
+  fixed_axial_force,  ///< beam.axial_direction
+  start_at_rest,      ///< u_t(x,0) = 0, of a run
+  contact_scheme      ///< a choice of it, of a run
+};
+
 /// One complete problem with the settings to solve it.
 struct Case {
   std::string name;
-  Beam beam;
-  FrictionLaw friction;
-  HarmonicExcitation excitation;
+  Structure structure;
+  Motion motion;
+  Contact contact;
   NumericalSettings numerics;
   Damping damping{};
-  TangentialContact contact{};
-  Wall wall{};
   Section section{};  ///< the beam's, as long as its area and second moment of area follow from it
+
+  [[nodiscard]] const Beam& beam() const { return std::get<Beam>(structure); }
+  [[nodiscard]] const HarmonicExcitation& excitation() const { return std::get<HarmonicExcitation>(motion); }
+  /// N, the axial force of a beam.
+  [[nodiscard]] double normal_force() const { return beam().axial_force(); }
+  /// Whether the case asks for it; a feature of a run is none of a case.
+  [[nodiscard]] bool has(Feature feature) const noexcept;
 };
 
 /// The case with other parts, each known by its type: with(problem, excitation, damping). Another beam has no section.
 template <typename... Part>
 [[nodiscard]] Case with(Case problem, const Part&... parts) {
-  const auto all = std::tie(problem.beam, problem.friction, problem.excitation, problem.numerics,
-                            problem.damping, problem.contact, problem.wall);
+  const auto all = std::tie(std::get<Beam>(problem.structure), problem.contact.friction,
+                            std::get<HarmonicExcitation>(problem.motion), problem.numerics, problem.damping,
+                            problem.contact.compliance, problem.contact.wall);
   ((std::get<Part&>(all) = parts), ...);
   if constexpr ((std::is_same_v<Part, Beam> || ...)) problem.section = {};
   return problem;
