@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "stickslip/analytic/criterion.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include "arguments.hpp"
-#include "stickslip/analytic/damped_reaction.hpp"
+#include "stickslip/analytic/stick_modes.hpp"
+#include "stickslip/analytic/stick_reaction.hpp"
 
 namespace stickslip::analytic {
 namespace {
@@ -12,6 +14,15 @@ namespace {
 /// The amplitude at which a force that is `per_unit` at amplitude 1 reaches `limit`.
 double amplitude_at(double limit, double per_unit) {
   return per_unit > 0.0 ? limit / per_unit : std::numeric_limits<double>::infinity();
+}
+
+Criterion criterion_of(const data::Case& problem, const Bounds& per_unit) {
+  const double limit = problem.contact.friction.static_coefficient() * problem.normal_force();
+  const Bounds force = problem.excitation().amplitude() * per_unit;
+  return {.force_max = force,
+          .friction_limit = limit,
+          .critical_amplitude = {amplitude_at(limit, per_unit.upper), amplitude_at(limit, per_unit.lower)},
+          .verdict = verdict_of(force, limit)};
 }
 
 }  // namespace
@@ -34,20 +45,21 @@ void require_contact(const data::Beam& beam) {
                              data::shortest_text(stick_buckling_load(beam)) + " N");
 }
 
-Criterion evaluate_criterion(const data::Beam& beam, const data::FrictionLaw& friction,
-                             const data::HarmonicExcitation& excitation, double duration, int modes,
-                             SteadyPart steady_part, double relative_width, const data::Damping& damping) {
-  require_contact(beam);
-  const Bounds per_unit = largest_unit_force(beam, damping, excitation.frequency_hz(), duration, modes,
-                                             steady_part, relative_width);
+Criterion evaluate_criterion(const data::Case& problem, double relative_width) {
+  require_contact(problem.beam());
+  return criterion_of(problem, StickReaction(problem).largest(relative_width));
+}
 
-  Criterion criterion;
-  criterion.friction_limit = friction.static_coefficient() * beam.axial_force();
-  criterion.force_max = excitation.amplitude() * per_unit;
-  criterion.critical_amplitude = {amplitude_at(criterion.friction_limit, per_unit.upper),
-                                  amplitude_at(criterion.friction_limit, per_unit.lower)};
-  criterion.verdict = verdict_of(criterion.force_max, criterion.friction_limit);
-  return criterion;
+Criterion criterion_with_all_modes(const data::Case& problem, double relative_width, bool verdict_alone) {
+  require_contact(problem.beam());
+  const auto [first, most] = modes_of_all(problem, verdict_alone);
+  for (int modes = first;; modes = std::min(2 * modes, most)) {
+    const Bounds per_unit = StickReaction(problem, modes).largest(relative_width);
+    const Criterion criterion = criterion_of(problem, per_unit);
+    const bool is_decided =
+        criterion.verdict != Verdict::undecided && (verdict_alone || per_unit.lower > 0.0);
+    if (is_decided || modes == most) return criterion;
+  }
 }
 
 }  // namespace stickslip::analytic

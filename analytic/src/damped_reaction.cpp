@@ -361,21 +361,4 @@ Bounds DampedForce::refined_to(double relative_width) const {
   return Search(*this, relative_width).bounds();
 }
 
-Bounds largest_unit_force(const data::Beam& beam, const data::Damping& damping, double frequency_hz,
-                          double duration, int modes, SteadyPart steady_part, double relative_width) {
-  if (damping.kelvin_voigt() > 0.0 || damping.ratio() > 0.0)
-    return DampedForce(damped_reaction(beam, damping, modes, steady_part),
-                       2.0 * std::numbers::pi * frequency_hz, duration)
-        .refined_to(relative_width);
-  if (beam.shear_stiffness() > 0.0) {
-    const double omega = 2.0 * std::numbers::pi * frequency_hz;
-    return ForceMaximum(steady_part == SteadyPart::exact ? timoshenko_reaction(beam, modes, omega)
-                                                         : timoshenko_reaction(beam, modes),
-                        omega, duration)
-        .refined_to(relative_width);
-  }
-  const data::HarmonicExcitation unit({.frequency_hz = frequency_hz, .amplitude = 1.0});
-  return StickResponse(beam, unit, modes, steady_part).max_abs_friction_force(duration, relative_width);
-}
-
 }  // namespace stickslip::analytic

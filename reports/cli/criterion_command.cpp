@@ -99,7 +99,7 @@ void add_outlook(Answer& answer, const studies::CriterionAnswer& found, double f
 Answer answer_of(const data::Case& problem, const studies::CriterionAnswer& found) {
   Answer answer;
   const data::Damping& damping = problem.damping;
-  const bool is_damped = studies::is_damped(problem);
+  const bool is_damped = !problem.damping.is_none();
   add_excitation(answer, problem);
   answer.add_members({{"duration_s", problem.numerics.duration()}, {"modes", problem.numerics.modes()}});
   if (is_damped)
@@ -160,7 +160,7 @@ Answer table_of_cases(const CriterionOptions& options, Outputs& outputs) {
   for (const CaseOptions& one : cases)
     for (const auto& point : points) {
       const data::Case problem = case_of(one, point);
-      const auto found = studies::criterion_with_all_modes(problem, 1e-10);
+      const auto found = analytic::criterion_with_all_modes(problem, 1e-10);
       auto& row = table.rows.emplace_back(std::vector{word(problem.name)});
       for (const data::Override& key : point) row.push_back(word(key.value));
       row.insert(

@@ -103,7 +103,7 @@ Answer answer_of(const data::Case& problem, const studies::Design& design) {
     return margin;
   };
   answer.add_row({"smallest margin mu_s P/|f_max|", "margin", judged(margin_bounds)});
-  if (studies::is_damped(problem))
+  if (!problem.damping.is_none())
     answer.add_row({"smallest margin, steady", "steady_margin", judged(steady_margin)});
   answer.add_row({"at / Hz", "frequency_hz", {worst_hz, significant(worst_hz, 7)}});
   answer.add_row({"largest |f| / N", "force_max_N", between(force)});

@@ -52,7 +52,7 @@ std::string drawing(const data::Case& problem, const ModesOptions& options,
 Answer answer_of(const data::Case& problem, const ModesOptions& options,
                  const std::vector<studies::EstimatedFrequency>& frequencies) {
   Answer answer;
-  const bool is_damped = studies::is_damped(problem);
+  const bool is_damped = !problem.damping.is_none();
   answer.add_members({{"state", options.state}, {"method", options.method}});
   if (options.is_mesh()) answer.add_members({{"elements", problem.numerics.elements()}});
   answer.add_line(fmt::format(

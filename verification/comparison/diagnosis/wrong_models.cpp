@@ -123,7 +123,7 @@ struct HeldHistory {
 };
 
 HeldHistory held_in_closed_form(const data::Case& problem, StickReading reading, double end) {
-  if (studies::is_damped(problem))
+  if (!problem.damping.is_none())
     throw data::InputError(
         "the case is damped, but must be undamped for forces and motions of the held beam");
   const auto response = std::make_shared<analytic::StickResponse>(

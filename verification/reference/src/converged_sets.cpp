@@ -93,7 +93,7 @@ DataSet length_force_ratios() {
       const data::Case point =
           data::with_value(data::with_value(problem, "beam.length", length), "beam.axial_force", axial_force);
       if (axial_force > 0.99 * analytic::stick_buckling_load(point.beam())) continue;
-      const analytic::Criterion criterion = studies::criterion_of(point, width);
+      const analytic::Criterion criterion = analytic::evaluate_criterion(point, width);
       const double ratio = criterion.force_max.midpoint() / criterion.friction_limit;
       add_row(set, {length, axial_force, converged(ratio, (0.5 * width + rounding) * ratio)});
     }

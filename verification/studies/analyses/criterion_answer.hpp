@@ -57,15 +57,6 @@ using Remake = std::function<data::Case(std::string_view key, double value)>;
 /// too_few_modes(). A changed case is made by `remake` or, without one, by data::with_value(). Throws what evaluate_criterion() throws.
 [[nodiscard]] CriterionAnswer criterion_answer(const data::Case& problem, const Remake& remake = {});
 
-/// CriterionAnswer::all_modes: the exact steady part and many free vibrations, with bounds that hold those that are left out
-/// (omitted_transient_bound(), DampedForce), 1e-5 of the paper's force with 40. It begins with 200, or 40 with damping, and
-/// has twice as many where the highest is below 4 Ω and as long as the bounds hold μ_s P or 0, up to 800, or 160 with
-/// damping. Where the verdict alone counts it begins with 40 or 4 numerics.modes, and the bounds may hold 0. More modes would be
-/// beyond the closed form, or lose the slow vibrations in the rounding of the fast ones. Throws as
-/// criterion_answer() does, and data::FieldError, naming excitation.frequency_hz, where these are too few.
-[[nodiscard]] analytic::Criterion criterion_with_all_modes(const data::Case& problem, double relative_width,
-                                                           bool verdict_alone = false);
-
 /// CriterionAnswer::steady.
 [[nodiscard]] std::optional<SteadyState> steady_state(const data::Case& problem);
 
@@ -88,7 +79,7 @@ struct CriticalAmplitudePoint {
 };
 STICKSLIP_MEMBERS(CriticalAmplitudePoint, (frequency_hz, "Hz"), (critical_amplitude, "m"))
 
-/// By criterion_of() at each frequency (Hz), the middle of bounds of that width, Figs. 11 and 13. Uses thread_count() threads.
+/// By analytic::evaluate_criterion() at each frequency (Hz), the middle of bounds of that width, Figs. 11 and 13. Uses thread_count() threads.
 [[nodiscard]] std::vector<CriticalAmplitudePoint> critical_amplitude_curve(
     const data::Case& problem, const std::vector<double>& frequencies_hz, double relative_width = 1e-6);
 

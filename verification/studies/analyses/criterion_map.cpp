@@ -13,9 +13,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "stickslip/analytic/damped_reaction.hpp"
-#include "stickslip/analytic/force_maximum.hpp"
-#include "stickslip/analytic/modal_reaction.hpp"
+#include "stickslip/analytic/stick_reaction.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "studies/common/parallel.hpp"
@@ -68,22 +66,12 @@ data::Case case_at(const MapTask& task, std::size_t i, std::size_t j) {
                     task.y.values[j]);
 }
 
-// |f_max| at the points of one map. The modes are interpolated in a table, or computed once if all points
-// have the same beam. They do not depend on which points are evaluated.
+// |f_max| at the points of one map. The modes do not depend on which points are evaluated.
 class Forces {
  public:
-  explicit Forces(const MapTask& task) : method_(task.method), modes_(task.problem.numerics.modes()) {
-    if (method_ != MapMethod::closed_form || varies_direction_or_damping(task)) return;
-    const data::Case& problem = task.problem;
-    if (!varies_beam(task)) {  // all points have the same beam
-      if (is_damped(problem))
-        common_damped_ = analytic::damped_reaction(problem.beam(), problem.damping, modes_);
-      else
-        common_ = analytic::modal_reaction(problem.beam(), modes_);
-      return;
-    }
+  explicit Forces(const MapTask& task) : method_(task.method), reactions_(task.problem) {
     // Their modes depend on more than the load factor.
-    if (is_damped(problem) || problem.beam().shear_stiffness() > 0.0) return;
+    if (method_ != MapMethod::closed_form || !varies_beam(task) || varies_direction_or_damping(task)) return;
     double lowest = std::numeric_limits<double>::infinity(), highest = 0.0;
     for (const std::size_t j : ends_of(task.y))
       for (const std::size_t i : ends_of(task.x)) {
@@ -92,8 +80,7 @@ class Forces {
         highest = std::max(highest, load_factor(beam));
       }
     highest = std::min(highest, just_below_buckling(case_at(task, 0, 0).beam()));
-    if (lowest > 0.0 && lowest < highest)
-      table_.emplace(lowest, highest, modes_, problem.beam().axial_direction());
+    if (lowest > 0.0 && lowest < highest) reactions_.tabulate(lowest, highest);
   }
 
   // |f_max| per unit of the amplitude that the case states: N/m, N s/m or N s²/m.
@@ -104,20 +91,14 @@ class Forces {
   // Whether the tip slips. Far from the friction limit this needs less work than the force itself.
   [[nodiscard]] bool slips(const data::Case& problem) const {
     const double limit = friction_limit(problem), amplitude = problem.excitation().amplitude();
-    if (method_ == MapMethod::closed_form && !is_damped(problem))
-      return amplitude > 0.0 && search(problem).exceeds(limit / amplitude);
+    if (method_ == MapMethod::closed_form)
+      return amplitude > 0.0 && reactions_.of(problem).exceeds(limit / amplitude);
     return analytic::verdict_of(amplitude * force_per_metre(problem), limit) == Verdict::stick_slip;
   }
 
  private:
   [[nodiscard]] analytic::Bounds force_per_metre(const data::Case& problem) const {
-    if (method_ == MapMethod::closed_form && is_damped(problem))
-      return analytic::DampedForce(common_damped_
-                                       ? *common_damped_
-                                       : analytic::damped_reaction(problem.beam(), problem.damping, modes_),
-                                   angular_frequency(problem.excitation()), problem.numerics.duration())
-          .refined_to();
-    if (method_ == MapMethod::closed_form) return search(problem).refined_to();
+    if (method_ == MapMethod::closed_form) return reactions_.of(problem).largest();
     const data::HarmonicExcitation unit(
         {.frequency_hz = problem.excitation().frequency_hz(), .amplitude = 1.0});
     const double force = solver::max_abs_friction_force(with(problem, unit));
@@ -131,19 +112,8 @@ class Forces {
     return load_factor(beam, analytic::stick_buckling_load(beam)) * (1.0 - 1e-12);
   }
 
-  [[nodiscard]] analytic::ForceMaximum search(const data::Case& problem) const {
-    const double omega = angular_frequency(problem.excitation());
-    const double duration = problem.numerics.duration();
-    if (common_) return {*common_, omega, duration};
-    if (table_ && table_->holds(problem.beam())) return {table_->at(problem.beam()), omega, duration};
-    return {analytic::modal_reaction(problem.beam(), modes_), omega, duration};
-  }
-
   MapMethod method_;
-  int modes_;
-  std::optional<analytic::ModalReaction> common_;
-  std::optional<analytic::ModalReactionTable> table_;
-  std::optional<analytic::DampedReaction> common_damped_;
+  analytic::StickReactions reactions_;
 };
 
 // The quantities of the motion at the points of one map. The modes are computed once if all points have the same beam.

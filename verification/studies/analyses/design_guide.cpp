@@ -11,8 +11,7 @@
 #include <utility>
 
 #include "stickslip/analytic/criterion.hpp"
-#include "stickslip/analytic/damped_reaction.hpp"
-#include "stickslip/analytic/stick_modes.hpp"
+#include "stickslip/analytic/stick_reaction.hpp"
 #include "studies/analyses/length_force_map.hpp"
 #include "studies/common/parallel.hpp"
 
@@ -32,7 +31,7 @@ bool is_one_frequency(const analytic::FrequencyBand& band) { return band.from_hz
 
 void require_margin(const data::Case& problem) {
   require_friction(problem);
-  if (problem.beam().shear_stiffness() > 0.0)
+  if (problem.has(data::Feature::shear))
     throw data::FieldError("beam.shear_stiffness", problem.beam().shear_stiffness(),
                            "0 for a design over a band of frequencies; map and criterion have shear");
   if (problem.excitation().amplitude() > 0.0) return;
@@ -44,34 +43,17 @@ double amplitude_at_start(const data::Case& problem, const analytic::FrequencyBa
   return with_value(problem, "excitation.frequency_hz", band.from_hz).excitation().amplitude();
 }
 
-analytic::BandMaximum search_of(const data::Case& problem, analytic::FrequencyBand band,
-                                analytic::DampedForcePart part = analytic::DampedForcePart::start_up) {
+// The band of the amplitude that the case states.
+analytic::FrequencyBand stated_by(const data::Case& problem, analytic::FrequencyBand band) {
   band.held = problem.excitation().motion().amplitude_of;
-  const int modes = problem.numerics.modes();
-  if (!is_damped(problem)) return {problem.beam(), band, problem.numerics.duration(), modes};
-  return {analytic::damped_reaction(problem.beam(), problem.damping, modes), band,
-          problem.numerics.duration(), part};
-}
-
-// The least damping ratio of the modes that vibrate; 0 without damping.
-double least_ratio(const data::Case& problem) {
-  if (!is_damped(problem)) return 0.0;
-  double least = 1.0;
-  for (const auto& share :
-       analytic::damped_reaction(problem.beam(), problem.damping, problem.numerics.modes()).shares)
-    least = std::min(least, -share.eigenvalue.real() / std::abs(share.eigenvalue));
-  return least;
+  return band;
 }
 
 // The case with one value of the parameter, and the bounds of the force that are known there.
 class Candidate {
  public:
   Candidate(const data::Case& problem, double value, const analytic::FrequencyBand& band)
-      : value_(value),
-        limit_(friction_limit(problem) / amplitude_at_start(problem, band)),
-        modes_(analytic::modal_forces(problem.beam(), problem.numerics.modes())),
-        least_ratio_(studies::least_ratio(problem)),
-        search_(search_of(problem, band)) {}
+      : Candidate(problem, value, band, analytic::StickReaction(problem)) {}
 
   [[nodiscard]] double value() const { return value_; }
   [[nodiscard]] const std::vector<analytic::ModalForce>& modes() const { return modes_; }
@@ -84,6 +66,14 @@ class Candidate {
   }
 
  private:
+  Candidate(const data::Case& problem, double value, const analytic::FrequencyBand& band,
+            const analytic::StickReaction& reaction)
+      : value_(value),
+        limit_(friction_limit(problem) / amplitude_at_start(problem, band)),
+        modes_(analytic::held_modes(problem, problem.numerics.modes())),
+        least_ratio_(reaction.least_damping_ratio()),
+        search_(reaction.over(stated_by(problem, band))) {}
+
   double value_;
   double limit_;  // μ_s P/A0 at the lower end of the band, N/m
   std::vector<analytic::ModalForce> modes_;
@@ -210,7 +200,8 @@ BandMargin band_margin(const data::Case& problem, const analytic::FrequencyBand&
                        double relative_width) {
   analytic::require_contact(problem.beam());
   require_margin(problem);
-  analytic::BandMaximum search = search_of(problem, band);
+  const analytic::StickReaction reaction(problem);
+  analytic::BandMaximum search = reaction.over(stated_by(problem, band));
   const analytic::Bounds unit = search.refined_to(relative_width);
   const double amplitude = amplitude_at_start(problem, band), limit = friction_limit(problem);
   BandMargin margin{.force_max = amplitude * unit,
@@ -220,14 +211,17 @@ BandMargin band_margin(const data::Case& problem, const analytic::FrequencyBand&
                     .evaluations = static_cast<int>(search.evaluations()),
                     .resonances = {},
                     .steady_margin = {}};
-  if (is_damped(problem)) {
+  if (!problem.damping.is_none()) {
     const analytic::Bounds steady =
-        search_of(problem, band, analytic::DampedForcePart::steady).refined_to(relative_width);
+        reaction.over(stated_by(problem, band), analytic::DampedForcePart::steady).refined_to(relative_width);
     margin.steady_margin = limit / (amplitude * steady);
   }
-  for (const auto& mode : analytic::stick_modes(problem.beam(), problem.numerics.modes()))
-    if (band.from_hz <= mode.frequency_hz() && mode.frequency_hz() <= band.to_hz)
-      margin.resonances.push_back({mode.number(), mode.frequency_hz()});
+  int number = 0;
+  for (const auto& mode : analytic::held_modes(problem, problem.numerics.modes())) {
+    ++number;
+    const double hz = mode.angular_frequency / two_pi;
+    if (band.from_hz <= hz && hz <= band.to_hz) margin.resonances.push_back({number, hz});
+  }
   return margin;
 }
 

@@ -16,7 +16,7 @@ namespace {
 
 double force_ratio(const data::Case& problem) {
   constexpr double width = 1e-3;
-  const analytic::Criterion criterion = criterion_of(problem, width);
+  const analytic::Criterion criterion = analytic::evaluate_criterion(problem, width);
   return criterion.force_max.midpoint() / criterion.friction_limit;
 }
 

@@ -36,7 +36,7 @@ EstimatedFrequency frequency_of(const data::Case& problem, const OwnMeasurement&
 
 double sampled(const data::Case& problem, const OwnMeasurement& one) {
   if (is_frequency(one)) return frequency_of(problem, one).hz;
-  return criterion_of(problem, 1e-6).critical_amplitude.midpoint();
+  return analytic::evaluate_criterion(problem, 1e-6).critical_amplitude.midpoint();
 }
 
 // S and u_num.

@@ -11,6 +11,7 @@
 #include "stickslip/analytic/force_maximum.hpp"
 #include "stickslip/analytic/slip_modes.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
+#include "stickslip/analytic/stick_reaction.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "studies/analyses/criterion_answer.hpp"
 #include "studies/analyses/natural_frequencies.hpp"
@@ -93,13 +94,13 @@ double allowed_step(double spectral_radius, double omega) {
 
 std::optional<Warning> resonance_warning(const data::Case& problem) {
   const double omega = angular_frequency(problem.excitation()), duration = problem.numerics.duration();
-  if (is_damped(problem) || problem.excitation().amplitude() == 0.0 ||
+  if (!problem.damping.is_none() || problem.excitation().amplitude() == 0.0 ||
       0.5 * omega * duration < grown_response)
     return std::nullopt;
   int count = problem.numerics.modes();  // also those that are left out
-  auto modes = analytic::modal_forces(problem.beam(), count);
+  auto modes = analytic::held_modes(problem, count);
   while (modes.back().angular_frequency < 2.0 * omega && count < 500)
-    modes = analytic::modal_forces(problem.beam(), count *= 2);
+    modes = analytic::held_modes(problem, count *= 2);
   const auto nearest = std::ranges::min_element(
       modes, {}, [&](const auto& mode) { return std::abs(mode.angular_frequency - omega); });
   const double difference = std::abs(nearest->angular_frequency - omega);
@@ -120,11 +121,9 @@ namespace {
 void warn_of_distance(const data::Case& problem, std::vector<Warning>& warnings) {
   const double omega = angular_frequency(problem.excitation());
   const auto distance = [&](const analytic::ModalForce& mode) {
-    return std::hypot(
-        mode.angular_frequency / omega - 1.0,
-        problem.damping.ratio() + 0.5 * problem.damping.kelvin_voigt() * mode.angular_frequency);
+    return std::hypot(mode.angular_frequency / omega - 1.0, problem.damping.ratio_at(mode.angular_frequency));
   };
-  const auto modes = analytic::modal_forces(problem.beam(), problem.numerics.modes());
+  const auto modes = analytic::held_modes(problem, problem.numerics.modes());
   const auto nearest = std::ranges::min_element(modes, {}, distance);
   if (problem.excitation().amplitude() == 0.0 || distance(*nearest) >= least_resonance_distance) return;
   const double share = nearest->angular_frequency / omega - 1.0;
@@ -148,7 +147,7 @@ void warn_of_thickness(const data::Beam& beam, bool slip, int mode, std::vector<
 }
 
 void warn_of_step(const data::Case& problem, int mode, std::vector<Warning>& warnings) {
-  const double natural = analytic::modal_forces(problem.beam(), mode).back().angular_frequency;
+  const double natural = analytic::held_modes(problem, mode).back().angular_frequency;
   const double excitation = angular_frequency(problem.excitation());
   const double omega = std::max(natural, excitation), step = problem.numerics.time_step();
   const double error = step_error(problem.numerics.spectral_radius(), omega, step);
@@ -218,8 +217,7 @@ double mesh_effect(const data::Case& problem, int elements) {
         hermite_eigenvalue_error(problem.beam(), analytic::stick_modes(problem.beam(), 1).front(), element);
   effect = std::min(1.0, effect);
   for (const auto& [omega, share] : free_vibrations(problem)) {
-    const double decay =
-        problem.damping.ratio() * omega + 0.5 * problem.damping.kelvin_voigt() * omega * omega;
+    const double decay = omega * problem.damping.ratio_at(omega);
     const double error = mesh_frequency_error(problem.beam(), omega, element),
                  time = std::min(problem.numerics.duration(), 1.0 / decay);
     effect += share * std::min(2.0, error * (1.0 + omega * time));
@@ -267,7 +265,7 @@ std::optional<Warning> instability_warning(const data::Case& problem) {
   if (!found) return std::nullopt;
   const data::Beam& beam = problem.beam();
   const bool buckles = found->root.imag() == 0.0, is_sheared = beam.shear_stiffness() > 0.0,
-             has_loss = is_damped(problem) || problem.contact.friction.viscous() > 0.0;
+             has_loss = !problem.damping.is_none() || problem.contact.friction.viscous() > 0.0;
   const double unit = beam.youngs_modulus() * beam.second_moment_of_area() / (beam.length() * beam.length());
   return Warning{
       buckles ? Concern::buckling : Concern::flutter, beam.axial_force(), found->load,
@@ -282,7 +280,8 @@ std::optional<Warning> instability_warning(const data::Case& problem) {
 std::optional<Warning> few_modes_warning(const data::Case& problem) {
   const double load = problem.beam().axial_force();
   if (!(load > 0.0 && load < analytic::stick_buckling_load(problem.beam()))) return std::nullopt;
-  const auto truncated = criterion_of(problem, 1e-4), all = criterion_with_all_modes(problem, 1e-4);
+  const auto truncated = analytic::evaluate_criterion(problem, 1e-4),
+             all = analytic::criterion_with_all_modes(problem, 1e-4);
   if (!too_few_modes(truncated, all)) return std::nullopt;
   const double mine = truncated.force_max.midpoint(), whole = all.force_max.midpoint();
   return Warning{
@@ -314,8 +313,8 @@ std::string shear_effect(const data::Case& problem) {
       fmt::format("with beam.shear_stiffness = {:.3g} (k = 5/6, nu = 0.3)", sheared.beam().shear_stiffness());
   if (problem.beam().axial_force() >= analytic::stick_buckling_load(sheared.beam()))
     return choice + " the beam buckles";
-  const auto without = criterion_with_all_modes(problem, 1e-4),
-             with = criterion_with_all_modes(sheared, 1e-4);
+  const auto without = analytic::criterion_with_all_modes(problem, 1e-4),
+             with = analytic::criterion_with_all_modes(sheared, 1e-4);
   return fmt::format("{} |f_max| with all modes is {:.4g} N instead of {:.4g} N, and the verdict is {}{}",
                      choice, with.force_max.midpoint(), without.force_max.midpoint(), to_string(with.verdict),
                      with.verdict == without.verdict
@@ -326,7 +325,7 @@ std::string shear_effect(const data::Case& problem) {
 std::vector<Warning> problem_warnings(const data::Case& problem, Inquiry inquiry, int frequencies) {
   auto warnings = warnings_without_effect(problem, inquiry, frequencies);
   const auto thick = std::ranges::find(warnings, Concern::thick_beam, &Warning::concern);
-  if (thick != warnings.end() && inquiry == Inquiry::criterion && !is_damped(problem))
+  if (thick != warnings.end() && inquiry == Inquiry::criterion && problem.damping.is_none())
     thick->sentence += "; " + shear_effect(problem);
   return warnings;
 }
@@ -337,7 +336,7 @@ std::optional<Warning> growth_warning(const data::Case& problem, Inquiry inquiry
   if (!stepped && inquiry != Inquiry::event_driven_history) return std::nullopt;
   if (problem.contact.compliance.has_spring()) return std::nullopt;  // σ* is that of a law without memory
   if ((stepped ? numerics.elements() : numerics.modes()) >
-      (is_damped(problem) ? most_damped_for_growth : most_undamped_for_growth))
+      (!problem.damping.is_none() ? most_damped_for_growth : most_undamped_for_growth))
     return std::nullopt;
   const auto contact = [&] {
     if (!stepped) return continuous_contact(analytic::BeamContactModel(problem, numerics.modes()).model());
@@ -524,7 +523,7 @@ std::optional<std::string> row_warning(const data::Case& problem, const Method& 
 
 std::optional<std::string> fixed_step_warning(const data::Case& problem, double step) {
   const int mode = highest_mode_that_matters(problem);
-  const double omega = analytic::modal_forces(problem.beam(), mode).back().angular_frequency,
+  const double omega = analytic::held_modes(problem, mode).back().angular_frequency,
                longest = std::sqrt(24.0 * allowed_step_error) / omega;
   if (step <= longest) return std::nullopt;
   return fmt::format(

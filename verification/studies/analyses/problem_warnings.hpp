@@ -112,7 +112,7 @@ constexpr double share_that_matters = 0.01;
 [[nodiscard]] std::optional<Warning> coarse_mesh_warning(const data::Case& problem);
 
 /// What shear and rotary inertia change in |f_max| and in the verdict, by the undamped criterion of all modes with
-/// with_shear(), as the end of a sentence. Throws what criterion_with_all_modes() throws.
+/// with_shear(), as the end of a sentence. Throws what analytic::criterion_with_all_modes() throws.
 [[nodiscard]] std::string shear_effect(const data::Case& problem);
 
 /// The warning for a history, by time steps or event-driven, in which the contact changed: σ* T > 36, with

@@ -10,10 +10,7 @@
 #include <set>
 
 #include "stickslip/analytic/criterion.hpp"
-#include "stickslip/analytic/damped_reaction.hpp"
-#include "stickslip/analytic/force_maximum.hpp"
-#include "stickslip/analytic/modal_reaction.hpp"
-#include "stickslip/analytic/stick_modes.hpp"
+#include "stickslip/analytic/stick_reaction.hpp"
 #include "studies/common/parallel.hpp"
 #include "studies/common/problem_parameter.hpp"
 
@@ -48,7 +45,7 @@ class Verdicts {
  public:
   Verdicts(const data::Case& problem, const data::Uncertainty& uncertainty,
            const std::optional<analytic::FrequencyBand>& band)
-      : problem_(problem), keys_(uncertainty.keys), band_(band) {
+      : problem_(problem), keys_(uncertainty.keys), band_(band), reactions_(problem) {
     if (band_) {  // BandMaximum counts in the amplitude at its lower end
       problem_ = with_value(problem_, "excitation.frequency_hz", band_->from_hz);
       band_->held = problem_.excitation().motion().amplitude_of;
@@ -59,7 +56,6 @@ class Verdicts {
 
   // From now on the modes of undamped beams with a load factor between those of the values are interpolated.
   void tabulate(const std::vector<std::vector<double>>& values) {
-    if (problem_.beam().shear_stiffness() > 0.0) return;
     double lowest = std::numeric_limits<double>::infinity(), highest = 0.0;
     for (const auto& sample : values) {
       try {
@@ -76,8 +72,7 @@ class Verdicts {
     const double buckling = analytic::stick_buckling_load(beam) * beam.length() * beam.length() /
                             (beam.youngs_modulus() * beam.second_moment_of_area());
     if (lowest <= highest && highest < most_tabulated)
-      table_.emplace(lowest * buckling, highest * buckling, problem_.numerics.modes(),
-                     beam.axial_direction());
+      reactions_.tabulate(lowest * buckling, highest * buckling);
   }
 
   // Whether all samples have one |f_max| per metre of amplitude.
@@ -89,10 +84,10 @@ class Verdicts {
   // The verdict alone, which far from the limit is cheaper than the force.
   [[nodiscard]] bool slips_at(std::span<const double> values) const {
     const data::Case problem = case_at(values);
-    if (force_ || is_damped(problem) || problem.excitation().amplitude() == 0.0) return of(problem).slips;
+    if (force_ || problem.excitation().amplitude() == 0.0) return of(problem).slips;
     analytic::require_contact(problem.beam());
     const double limit = friction_limit(problem) / problem.excitation().amplitude();
-    return band_ ? search_of(problem).exceeds(limit) : search_of_force(problem).exceeds(limit);
+    return band_ ? search_of(problem).exceeds(limit) : reactions_.of(problem).exceeds(limit, force_width);
   }
 
   [[nodiscard]] double nominal_margin() const { return of(problem_).margin; }
@@ -112,34 +107,20 @@ class Verdicts {
     return studies::case_at(problem_, keys_, values);
   }
 
-  [[nodiscard]] analytic::ModalReaction reaction_of(const data::Case& problem) const {
-    return table_ && table_->holds(problem.beam())
-               ? table_->at(problem.beam())
-               : analytic::modal_reaction(problem.beam(), problem.numerics.modes());
-  }
-
   [[nodiscard]] analytic::BandMaximum search_of(const data::Case& problem) const {
-    return {reaction_of(problem), *band_, problem.numerics.duration()};
-  }
-
-  [[nodiscard]] analytic::ForceMaximum search_of_force(const data::Case& problem) const {
-    return {reaction_of(problem), angular_frequency(problem.excitation()), problem.numerics.duration()};
+    return reactions_.of(problem).over(*band_);
   }
 
   [[nodiscard]] analytic::Bounds unit_force(const data::Case& problem) const {
-    if (!band_ && !is_damped(problem)) return search_of_force(problem).refined_to(force_width);
-    if (!band_)
-      return analytic::largest_unit_force(
-          problem.beam(), problem.damping, problem.excitation().frequency_hz(), problem.numerics.duration(),
-          problem.numerics.modes(), analytic::SteadyPart::modal_sum, force_width);
+    if (!band_) return reactions_.of(problem).largest(force_width);
     return search_of(problem).refined_to(band_width);
   }
 
   data::Case problem_;
   std::vector<data::UncertainKey> keys_;
   std::optional<analytic::FrequencyBand> band_;
+  analytic::StickReactions reactions_;
   std::optional<analytic::Bounds> force_;
-  std::optional<analytic::ModalReactionTable> table_;
 };
 
 // What a function of a sample returns, or nothing for a sample that is no valid beam, and the key or the sentence that
@@ -221,7 +202,7 @@ void add_quantiles(SlipUncertainty& result, const std::vector<std::optional<Samp
 }
 
 analytic::Criterion criterion_of_all_modes(const data::Case& problem) {
-  return criterion_with_all_modes(problem, force_width, true);
+  return analytic::criterion_with_all_modes(problem, force_width, true);
 }
 
 // The verdict on a sample; where all have one force, that is computed once.
@@ -327,7 +308,7 @@ void require_answerable(const data::Case& problem, const data::Uncertainty& unce
   for (const auto& key : uncertainty.keys)
     if (key.key == "excitation.frequency_hz" || key.key.starts_with("damping."))
       throw data::InputError(key.place + ": " + key.key + " is uncertain, but must be certain with a band");
-  if (is_damped(problem))
+  if (!problem.damping.is_none())
     throw data::InputError("the case is damped, but must have no damping with a band; design takes damping");
 }
 

@@ -52,7 +52,7 @@ struct SlipUncertainty {
   Estimate probability_of_slip;     ///< among the valid samples
   std::vector<Quantile> quantiles;  ///< at 5, 25, 50, 75, 95 %
   std::vector<double> margins;      ///< of the samples of the quantiles, ascending
-  /// The first samples with all modes (criterion_with_all_modes), and how many of them slip with numerics.modes.
+  /// The first samples with all modes (analytic::criterion_with_all_modes), and how many of them slip with numerics.modes.
   struct AllModes {
     std::size_t valid{}, slips{}, undecided{}, slips_truncated{};
     Estimate probability_of_slip;  ///< up to the upper end with all undecided samples

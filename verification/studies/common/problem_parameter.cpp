@@ -11,16 +11,6 @@ double friction_limit(const data::Case& problem) {
   return problem.contact.friction.static_coefficient() * problem.beam().axial_force();
 }
 
-analytic::Criterion criterion_of(const data::Case& problem, double relative_width) {
-  return analytic::evaluate_criterion(problem.beam(), problem.contact.friction, problem.excitation(),
-                                      problem.numerics.duration(), problem.numerics.modes(),
-                                      analytic::SteadyPart::modal_sum, relative_width, problem.damping);
-}
-
-bool is_damped(const data::Case& problem) {
-  return problem.damping.kelvin_voigt() > 0.0 || problem.damping.ratio() > 0.0;
-}
-
 data::Beam with_shear(const data::Beam& beam) {
   data::BeamProperties properties = beam.properties();
   if (properties.shear_stiffness == 0.0)

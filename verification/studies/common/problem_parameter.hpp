@@ -15,12 +15,6 @@ namespace stickslip::studies {
 /// μ_s P, N.
 [[nodiscard]] double friction_limit(const data::Case& problem);
 
-/// analytic::evaluate_criterion() of the case with its duration, modes and damping.
-[[nodiscard]] analytic::Criterion criterion_of(const data::Case& problem, double relative_width = 1e-10);
-
-/// Whether the case has Kelvin-Voigt damping or a damping ratio above 0.
-[[nodiscard]] bool is_damped(const data::Case& problem);
-
 /// E/(κ G) of a rectangular section with κ = 5/6 and Poisson's ratio 0.3.
 constexpr double shear_flexibility = 3.12;
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "stickslip/analytic/event_driven.hpp"
+#include "stickslip/analytic/stick_reaction.hpp"
 
 #include <cmath>
 #include <utility>
@@ -70,6 +71,14 @@ History event_driven_history(const analytic::ContactModel& model, const std::vec
   }
   set_events(history, events_of(run, model.wall_speed));
   return history;
+}
+
+HistoryRow steady_crest(const data::Case& problem, const std::vector<double>& positions) {
+  const analytic::StickResponse response(problem.beam(), problem.excitation(),
+                                         analytic::modes_of_all(problem).first, analytic::SteadyPart::exact);
+  HistoryRow crest;
+  for (const double x : positions) crest.displacement.push_back(response.steady_displacement_amplitude(x));
+  return crest;
 }
 
 History closed_form_history(const data::Case& problem, const Sampling& sampling,

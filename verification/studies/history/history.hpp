@@ -38,6 +38,9 @@ struct Bending {
   void include(const HistoryRow& row, double length);
 };
 
+/// The steady vibration of an undamped beam with its tip held, where it is largest: u(x) at these positions, and no other member.
+[[nodiscard]] HistoryRow steady_crest(const data::Case& problem, const std::vector<double>& positions);
+
 struct History {
   std::vector<HistoryRow> rows{};
   std::vector<data::ContactEvent>

@@ -74,7 +74,7 @@ struct Runs {
 
 // Both methods run concurrently.
 Runs runs_of(const data::Case& problem, const ConvergedEffort& effort) {
-  if (is_damped(problem))
+  if (!problem.damping.is_none())
     throw std::invalid_argument(
         fmt::format("{} has damping, but the study is that of an undamped beam.", problem.name));
   const auto all = [&](int first, const auto& run) {

@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "stickslip/analytic/modal_reaction.hpp"
+#include "stickslip/analytic/stick_reaction.hpp"
 #include "stickslip/data/input_error.hpp"
 #include "studies/common/problem_parameter.hpp"
 
@@ -147,9 +147,8 @@ std::string table_of_methods() {
 }
 
 void require_periods(const data::Case& problem, double most_periods) {
-  const double natural =
-      analytic::modal_forces(problem.beam(), problem.numerics.modes()).back().angular_frequency /
-      (2.0 * std::numbers::pi);
+  const double natural = analytic::held_modes(problem, problem.numerics.modes()).back().angular_frequency /
+                         (2.0 * std::numbers::pi);
   const double highest = std::max(natural, problem.excitation().frequency_hz());
   if (problem.numerics.duration() * highest <= most_periods) return;
   throw data::FieldError(

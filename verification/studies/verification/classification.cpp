@@ -20,7 +20,7 @@ constexpr int converged_modes = 60;
 ClassifiedFrequency classified_frequency(const data::Case& problem, double hz) {
   const data::HarmonicExcitation unit({.frequency_hz = hz, .amplitude = 1e-3});
   const data::Case at_hz = with(problem, unit);
-  const analytic::Criterion criterion = criterion_of(at_hz);
+  const analytic::Criterion criterion = analytic::evaluate_criterion(at_hz);
   const analytic::StickResponse reference(problem.beam(), unit, converged_modes, analytic::SteadyPart::exact);
   const double truncated = criterion.force_max.midpoint();
   const double converged = reference.max_abs_friction_force(problem.numerics.duration(), 1e-8).midpoint();

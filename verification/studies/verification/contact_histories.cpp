@@ -99,7 +99,7 @@ ContactHistory contact_history(const data::Case& problem, double shown, const st
   history.frequency_hz = problem.excitation().frequency_hz();
   history.amplitude = problem.excitation().amplitude();
   history.finite_element_slip = solver::first_slip(problem);
-  history.criterion_slips = criterion_of(problem).verdict == analytic::Verdict::stick_slip;
+  history.criterion_slips = analytic::evaluate_criterion(problem).verdict == analytic::Verdict::stick_slip;
   if (history.criterion_slips) {
     history.closed_form_slip = closed_form_first_slip(problem);
     const ConvergedEffort two_levels{.duration = shown,

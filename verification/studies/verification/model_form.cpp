@@ -85,17 +85,14 @@ std::optional<double> unit_force(const data::Case& problem, const ModelVariant& 
   const data::Damping damping({.ratio = variant.damping_ratio});
   const double omega = angular_frequency(problem.excitation()), duration = problem.numerics.duration();
   const int modes = problem.numerics.modes();
-  if (!std::isfinite(variant.stiffness_ratio))
-    return analytic::largest_unit_force(beam, damping, problem.excitation().frequency_hz(), duration, modes,
-                                        analytic::SteadyPart::exact, bound_width)
-        .midpoint();
   const double stiffness = variant.stiffness_ratio * 3.0 * beam.youngs_modulus() *
                            beam.second_moment_of_area() / std::pow(beam.length(), 3);
   try {
-    return analytic::DampedForce(analytic::compliant_reaction(beam, damping, stiffness, modes), omega,
-                                 duration)
-        .refined_to(bound_width)
-        .midpoint();
+    const analytic::DampedReaction reaction =
+        std::isfinite(stiffness)
+            ? analytic::compliant_reaction(beam, damping, stiffness, modes)
+            : analytic::damped_reaction(beam, damping, modes, analytic::SteadyPart::exact);
+    return analytic::DampedForce(reaction, omega, duration).refined_to(bound_width).midpoint();
   } catch (const data::FieldError& error) {
     if (error.field() == "contact.tangential_stiffness") return std::nullopt;
     throw;

@@ -27,7 +27,7 @@ ProposedRig proposed_rig(const std::string& name) {
   for (const double hz : {10.0, 15.0, 20.0, 25.0, 30.0, 35.0, 60.0, 80.0}) {
     const data::Case problem =
         data::load_case(name, {{"excitation.frequency_hz", data::shortest_text(hz), "the rig"}});
-    rig.onsets.push_back({hz, criterion_of(problem, 1e-6).critical_amplitude.midpoint()});
+    rig.onsets.push_back({hz, analytic::evaluate_criterion(problem, 1e-6).critical_amplitude.midpoint()});
   }
   return rig;
 }

@@ -50,7 +50,7 @@ SteadyDampedForce damped_force(const data::Case& damped) {
                                            analytic::TipSupport::held);
   return {.frequency_hz = damped.excitation().frequency_hz(),
           .amplitude = damped.excitation().amplitude(),
-          .ratio = 0.5 * damped.damping.kelvin_voigt() * two_pi * stick_hz(damped.beam(), 1),
+          .ratio = damped.damping.ratio_at(two_pi * stick_hz(damped.beam(), 1)),
           .steady = std::abs(steady.friction_force())};
 }
 
@@ -77,7 +77,7 @@ SlenderForce slender_force(const data::Case& paper) {
 SofterBeam softer_beam(const data::Case& paper, int last_hz) {
   const data::Case softer = with_value(paper, "beam.youngs_modulus", 0.5 * paper.beam().youngs_modulus());
   const auto critical = [](const data::Case& problem, double hz) {
-    return criterion_of(at(problem, hz, 1e-3), 1e-6).critical_amplitude.midpoint();
+    return analytic::evaluate_criterion(at(problem, hz, 1e-3), 1e-6).critical_amplitude.midpoint();
   };
   SofterBeam result{.all = last_hz, .lowest_ratio = std::numeric_limits<double>::infinity()};
   for (int hz = 1; hz <= last_hz; ++hz) {
@@ -112,7 +112,7 @@ DimensionlessCase dimensionless(const data::Case& problem) {
           .frequency = omega / natural,
           .friction = problem.contact.friction.static_coefficient(),
           .decay = problem.contact.friction.decay() * problem.excitation().amplitude() * omega,
-          .damping = problem.damping.ratio() + 0.5 * problem.damping.kelvin_voigt() * natural,
+          .damping = problem.damping.ratio_at(natural),
           .force_error = force.discretisation_difference(),
           .unpredicted =
               std::abs(force.finite_element - force.predicted_finite_element) / force.prediction_uncertainty};

@@ -75,8 +75,7 @@ TEST(ModalReactionTable, RefusesOthersThanItsRange) {
 STICKSLIP_VERIFIES(Criterion, "A6");
 TEST(Criterion, AmplitudeBoundsInvertForceBounds) {
   for (const double width : {0.3, 0.03}) {
-    const auto criterion = evaluate_criterion(paper_beam(), paper_friction(), shaking(35.0, 1e-3), 1.0, 10,
-                                              analytic::SteadyPart::modal_sum, width);
+    const auto criterion = evaluate_criterion(paper_problem(35.0, 1e-3), width);
     ASSERT_GT(criterion.force_max.upper, criterion.force_max.lower * (1.0 + 1e-6));
     EXPECT_DOUBLE_EQ(criterion.critical_amplitude.lower * criterion.force_max.upper, 300.0 * 1e-3);
     EXPECT_DOUBLE_EQ(criterion.critical_amplitude.upper * criterion.force_max.lower, 300.0 * 1e-3);

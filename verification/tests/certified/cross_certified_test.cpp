@@ -232,7 +232,7 @@ STICKSLIP_VERIFIES(EnclosedMaximum, "X19");
 TEST(EnclosedMaximum, MatchesAmplitudeAndVerdict) {
   for (const double hz : {15.0, 25.0, 35.0, 70.0}) {
     const data::HarmonicExcitation excitation({.frequency_hz = hz, .amplitude = 0.5e-3});
-    const auto criterion = analytic::evaluate_criterion(paper_beam(), paper_friction(), excitation, 10.0);
+    const auto criterion = analytic::evaluate_criterion(paper_problem(hz, 0.5e-3, 10.0));
     const Real force =
         certified::max_abs_friction_force(exactly(paper_beam()), exactly(excitation), "10").value;
     const Real limit = Real(0.6) * 500;

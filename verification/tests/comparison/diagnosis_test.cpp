@@ -724,11 +724,12 @@ File largest_forces(const data::Case& problem, int modes, analytic::SteadyPart s
   file.keep([](std::size_t row) { return row % 30 == 9; });
   for (std::size_t i = 0; i < file.values().size(); ++i)
     file.values()[i] =
-        analytic::evaluate_criterion(
-            problem.beam(), problem.contact.friction,
-            data::HarmonicExcitation({.frequency_hz = file["frequency"][i], .amplitude = 0.5e-3}), 10.0,
-            modes, steady)
-            .force_max.midpoint();
+        analytic::StickResponse(
+            problem.beam(),
+            data::HarmonicExcitation({.frequency_hz = file["frequency"][i], .amplitude = 0.5e-3}), modes,
+            steady)
+            .max_abs_friction_force(10.0)
+            .midpoint();
   return file;
 }
 

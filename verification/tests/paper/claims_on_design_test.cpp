@@ -19,7 +19,7 @@ const data::Case& flat() {
 }
 
 bool slips(double length, double axial_force) {
-  return studies::criterion_of(with(flat(), flat_beam(length, axial_force)), 1e-3).verdict ==
+  return analytic::evaluate_criterion(with(flat(), flat_beam(length, axial_force)), 1e-3).verdict ==
          analytic::Verdict::stick_slip;
 }
 

@@ -107,7 +107,7 @@ TEST(CriterionAnswer, CurveHasTheResonances) {
         }
         const auto& point = curve.points.at(static_cast<std::size_t>(numbers.whole(0, 240)));
         const auto [lower, upper] =
-            studies::criterion_of(with_value(problem, "excitation.frequency_hz", point.frequency_hz))
+            analytic::evaluate_criterion(with_value(problem, "excitation.frequency_hz", point.frequency_hz))
                 .critical_amplitude;
         EXPECT_TRUE(
             within(point.critical_amplitude, 0.5 * (lower + upper), reference(1e-3 * upper, "its bounds")));

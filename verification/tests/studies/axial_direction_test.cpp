@@ -204,8 +204,8 @@ TEST(ShearEffect, IsInTheWarningOfAThickBeam) {
   };
   EXPECT_TRUE(holds(thick_beam(thick), studies::shear_effect(thick)));
   EXPECT_EQ(thick_beam(sheared), "");
-  const auto with_shear = studies::criterion_with_all_modes(sheared, 1e-6),
-             without = studies::criterion_with_all_modes(thick, 1e-6);
+  const auto with_shear = analytic::criterion_with_all_modes(sheared, 1e-6),
+             without = analytic::criterion_with_all_modes(thick, 1e-6);
   EXPECT_TRUE(holds(studies::shear_effect(thick),
                     fmt::format("{:.4g} N instead of {:.4g} N, and the verdict is stick-slip as well",
                                 with_shear.force_max.midpoint(), without.force_max.midpoint())));

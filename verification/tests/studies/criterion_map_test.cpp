@@ -69,9 +69,9 @@ TEST(MapAxis, ChangesItsParameterAlone) {
   const data::Case paper = data::load_case("paper");
   EXPECT_DOUBLE_EQ(studies::friction_limit(paper), 300.0);
   EXPECT_DOUBLE_EQ(studies::angular_frequency(paper.excitation()), 157.07963267948966);
-  EXPECT_FALSE(studies::is_damped(paper));
+  EXPECT_TRUE(paper.damping.is_none());
   for (const auto parameter : {"damping.ratio", "damping.kelvin_voigt"})
-    EXPECT_TRUE(studies::is_damped(with_value(paper, parameter, 1e-12)));
+    EXPECT_FALSE(with_value(paper, parameter, 1e-12).damping.is_none());
 }
 
 STICKSLIP_VERIFIES(CriterionMap, "X7");
@@ -93,7 +93,7 @@ struct Seen {
     EXPECT_EQ(cell.state.has_value(), !is_buckled);
     EXPECT_EQ(cell.force_ratio.has_value(), !is_buckled);
     if (is_buckled) return void(++buckled);
-    const auto criterion = studies::criterion_of(point);
+    const auto criterion = analytic::evaluate_criterion(point);
     const double ratio = criterion.force_max.midpoint() / criterion.friction_limit;
     EXPECT_TRUE(
         within(*cell.force_ratio, ratio, reference(3e-10 * ratio, "the relative width of the bounds")));
@@ -322,8 +322,7 @@ TEST(LengthForceMap, HoldsTheCriterionOfEachPoint) {
     EXPECT_DOUBLE_EQ(lengths[115], std::lerp(lengths[100], lengths[130], 0.25));
     for (std::size_t i = 0; i < line.length.size(); i += 13) {
       const auto criterion =
-          analytic::evaluate_criterion(flat_beam(line.length[i], line.axial_force), problem.contact.friction,
-                                       problem.excitation(), problem.numerics.duration());
+          analytic::evaluate_criterion(with(problem, flat_beam(line.length[i], line.axial_force)));
       const double ratio = criterion.force_max.midpoint() / criterion.friction_limit;
       EXPECT_TRUE(within(line.force_ratio[i], ratio, reference(1e-3 * ratio, "the stated 0.1 %")))
           << line.length[i] << " m, " << line.axial_force << " N";

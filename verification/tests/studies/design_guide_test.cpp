@@ -34,7 +34,7 @@ double margin_on_a_grid(const data::Case& problem, const FrequencyBand& band) {
   const int count = band.from_hz < band.to_hz ? 11 : 1;
   for (int i = 0; i < count; ++i) {
     const double hz = std::lerp(band.from_hz, band.to_hz, i / std::max(1.0, count - 1.0));
-    const auto criterion = studies::criterion_of(with_value(problem, "excitation.frequency_hz", hz));
+    const auto criterion = analytic::evaluate_criterion(with_value(problem, "excitation.frequency_hz", hz));
     least = std::min(least, criterion.friction_limit / criterion.force_max.midpoint());
   }
   return least;

@@ -187,39 +187,40 @@ std::vector<Search> searches_of_modes() {
   };
   constexpr double model = 1e-9;
   const auto step_of = [](const data::Case& problem) { return 0.29 / problem.excitation().frequency_hz(); };
-  return {{"samples",
-           [=](const data::Case& problem) {
-             return response(problem).sampled_max_abs_friction_force(problem.numerics.duration(),
-                                                                     step_of(problem));
-           },
-           [=](const data::Case& problem, const Bounds&) {  // h^2/8 times the sum of the curvatures
-             const double step = step_of(problem), omega = omega_of(problem);
-             const auto reaction = analytic::modal_reaction(problem.beam(), problem.numerics.modes());
-             double bend = std::abs(reaction.quasi_static) * omega * omega;
-             for (const auto& [natural, coefficient] : reaction.modes)
-               bend += std::abs(coefficient / (omega - natural)) * std::pow(omega, 3);
-             return problem.excitation().amplitude() * bend * step * step / 8.0 * (1.0 + 1e-9);
-           }},
-          {"halving",
-           [=](const data::Case& problem) {
-             return response(problem).max_abs_friction_force_by_halving(problem.numerics.duration(), 1e-4);
-           },
-           by_width(1e-4)},
-          {"criterion", [](const data::Case& problem) { return studies::criterion_of(problem).force_max; },
-           by_width(2e-10)},
-          {"damped without damping",
-           [](const data::Case& problem) {
-             const auto reaction = analytic::damped_reaction(problem.beam(), {}, problem.numerics.modes());
-             return problem.excitation().amplitude() *
-                    DampedForce(reaction, omega_of(problem), problem.numerics.duration()).refined_to(1e-8);
-           },
-           by_width(2e-8), model},
-          {"band of one frequency",
-           [](const data::Case& problem) {
-             const double hz = problem.excitation().frequency_hz();
-             return studies::band_margin(problem, {hz, hz}).force_max;
-           },
-           by_width(1.01e-6)}};
+  return {
+      {"samples",
+       [=](const data::Case& problem) {
+         return response(problem).sampled_max_abs_friction_force(problem.numerics.duration(),
+                                                                 step_of(problem));
+       },
+       [=](const data::Case& problem, const Bounds&) {  // h^2/8 times the sum of the curvatures
+         const double step = step_of(problem), omega = omega_of(problem);
+         const auto reaction = analytic::modal_reaction(problem.beam(), problem.numerics.modes());
+         double bend = std::abs(reaction.quasi_static) * omega * omega;
+         for (const auto& [natural, coefficient] : reaction.modes)
+           bend += std::abs(coefficient / (omega - natural)) * std::pow(omega, 3);
+         return problem.excitation().amplitude() * bend * step * step / 8.0 * (1.0 + 1e-9);
+       }},
+      {"halving",
+       [=](const data::Case& problem) {
+         return response(problem).max_abs_friction_force_by_halving(problem.numerics.duration(), 1e-4);
+       },
+       by_width(1e-4)},
+      {"criterion", [](const data::Case& problem) { return analytic::evaluate_criterion(problem).force_max; },
+       by_width(2e-10)},
+      {"damped without damping",
+       [](const data::Case& problem) {
+         const auto reaction = analytic::damped_reaction(problem.beam(), {}, problem.numerics.modes());
+         return problem.excitation().amplitude() *
+                DampedForce(reaction, omega_of(problem), problem.numerics.duration()).refined_to(1e-8);
+       },
+       by_width(2e-8), model},
+      {"band of one frequency",
+       [](const data::Case& problem) {
+         const double hz = problem.excitation().frequency_hz();
+         return studies::band_margin(problem, {hz, hz}).force_max;
+       },
+       by_width(1.01e-6)}};
 }
 
 STICKSLIP_VERIFIES(Enclosures, "A10");
@@ -328,7 +329,7 @@ TEST(Enclosures, HoldTheModesThatAreLeftOut) {
       .highest_force = 0.9, .shortest = 0.01, .longest = 3.0, .highest_frequency = 3.0, .ratio = 0.3};
   on_random_cases(6, damped, [](const CaseText& text, RandomNumbers& numbers) {
     const data::Case problem = text.problem();
-    if (!studies::is_damped(problem)) return;
+    if (problem.damping.is_none()) return;
     const double omega = omega_of(problem), duration = problem.numerics.duration();
     const auto reaction = [&](int modes) {
       return analytic::damped_reaction(problem.beam(), problem.damping, modes, analytic::SteadyPart::exact);
@@ -365,7 +366,7 @@ void expect_decisions(const data::Case& problem, const FrequencyBand& band, doub
   const auto search = [&]() -> analytic::BandMaximum {
     const int modes = problem.numerics.modes();
     const double duration = problem.numerics.duration();
-    if (!studies::is_damped(problem)) return {problem.beam(), band, duration, modes};
+    if (problem.damping.is_none()) return {problem.beam(), band, duration, modes};
     return {analytic::damped_reaction(problem.beam(), problem.damping, modes), band, duration,
             analytic::DampedForcePart::start_up};
   };
@@ -388,7 +389,7 @@ TEST(EnclosuresOfBands, HoldTheForceAtEachFrequency) {
                           .resonant = 0.5};
   on_random_cases(24, domain, [](const CaseText& text, RandomNumbers& numbers) {
     data::Case problem = text.problem();
-    const bool damped = studies::is_damped(problem);
+    const bool damped = !problem.damping.is_none();
     const auto held = static_cast<data::AmplitudeOf>(numbers.whole(0, 2));
     const double hz = problem.excitation().frequency_hz(), duration = problem.numerics.duration();
     problem = with(problem, data::HarmonicExcitation(problem.excitation().stated_as(held)));
@@ -397,7 +398,7 @@ TEST(EnclosuresOfBands, HoldTheForceAtEachFrequency) {
     double largest = 0.0, largest_steady = 0.0;
     for (int i = 0; i <= 24; ++i) {
       const data::Case there = at_hz(problem, std::lerp(band.from_hz, band.to_hz, i / 24.0));
-      largest = std::max(largest, studies::criterion_of(there, 1e-6).force_max.lower);
+      largest = std::max(largest, analytic::evaluate_criterion(there, 1e-6).force_max.lower);
       if (damped) largest_steady = std::max(largest_steady, steady_force(there));
     }
     // Wide bounds rest on what is derived of the force between frequencies.
@@ -415,7 +416,7 @@ TEST(EnclosuresOfBands, HoldTheForceAtEachFrequency) {
     // The phase is followed there, so that the time at a frequency is longer than at the upper end.
     const data::Case there = with_value(at_hz(problem, worst), "excitation.duration",
                                         (damped ? band.to_hz / worst : 1.0) * duration);
-    EXPECT_TRUE(enclose(studies::criterion_of(there, 1e-8).force_max, last));
+    EXPECT_TRUE(enclose(analytic::evaluate_criterion(there, 1e-8).force_max, last));
     expect_decisions(problem, band, last.midpoint());
   });
 }
@@ -452,17 +453,17 @@ Bounds by_elements(const data::Case& problem) {
 }
 
 Bounds of_all_modes(const data::Case& problem) {
-  return studies::criterion_with_all_modes(problem, 1e-8).force_max;
+  return analytic::criterion_with_all_modes(problem, 1e-8).force_max;
 }
 
 TEST(Enclosures, OfAllModesHoldFiniteElements) {
   on_random_cases(16, short_ones, [](const CaseText& text, RandomNumbers&) {
     const data::Case problem = text.problem();
-    const auto found = studies::criterion_with_all_modes(problem, 1e-8);
+    const auto found = analytic::criterion_with_all_modes(problem, 1e-8);
     ASSERT_TRUE(std::isfinite(found.force_max.upper) && 0.0 <= found.force_max.lower);
     EXPECT_TRUE(std::isfinite(found.critical_amplitude.upper));
     EXPECT_TRUE(enclose(found.force_max, by_elements(problem)));
-    const auto twice = studies::criterion_with_all_modes(
+    const auto twice = analytic::criterion_with_all_modes(
         data::with_value(problem, "excitation.amplitude", 2.0 * problem.excitation().amplitude()), 1e-8);
     EXPECT_TRUE(twice.verdict != found.verdict || twice.force_max.upper == 2.0 * found.force_max.upper);
   });
@@ -478,7 +479,7 @@ TEST(Enclosures, OfAllModesHoldTheForceOfMoreModes) {
                                        analytic::SteadyPart::exact);
     const auto [lower, upper] = more.max_abs_friction_force(problem.numerics.duration(), 1e-12);
     const double omitted = more.omitted_transient_bound();
-    EXPECT_TRUE(enclose(studies::criterion_with_all_modes(problem, 1e-12).force_max,
+    EXPECT_TRUE(enclose(analytic::criterion_with_all_modes(problem, 1e-12).force_max,
                         {lower - omitted, upper + omitted}));
   });
 }
@@ -520,7 +521,7 @@ TEST(Enclosures, OfAllModesHoldKnownForces) {
   EXPECT_TRUE(enclose(of_all_modes(paper_at(81.0776, 1e-3, 100.0, "damping.ratio", 1e-4)),
                       {1690238.30561 - 1e-5, 1690238.30561 + 1e-5}));
   const auto in_a_start = [](double amplitude) {
-    return studies::criterion_with_all_modes(
+    return analytic::criterion_with_all_modes(
         paper_at(500.0, amplitude, 0.0015, "damping.kelvin_voigt", 6.4e-5), 1e-10);
   };
   EXPECT_TRUE(enclose(in_a_start(3.5e-3).force_max, {336.97, 336.99}));
@@ -533,7 +534,7 @@ TEST(Enclosures, AreWarnedOfWhereNModesAreTooFew) {
   int warned = 0, silent = 0;
   on_random_cases(24, short_ones, [&](const CaseText& text, RandomNumbers& numbers) {
     const data::Case problem = data::with_value(text.problem(), "numerics.modes", numbers.whole(1, 10));
-    const double computed = studies::criterion_of(problem).force_max.midpoint();
+    const double computed = analytic::evaluate_criterion(problem).force_max.midpoint();
     const Bounds truth = by_elements(text.problem());
     const bool is_off = !enclose({0.94 * computed, 1.06 * computed}, truth);
     const auto warnings = studies::problem_warnings(problem, studies::Inquiry::criterion);

@@ -77,7 +77,7 @@ TEST(LateSlips, ArePartOfTheStudy) {
     const double force = studies::steady_state(problem)->force.midpoint();
     EXPECT_TRUE(within(steady.steady, force, reference(1e-9 * force, "the exact steady part")));
     for (std::size_t k = 0; k < 2; ++k) {
-      const auto [lower, upper] = studies::criterion_with_all_modes(
+      const auto [lower, upper] = analytic::criterion_with_all_modes(
                                       with_value(problem, "excitation.duration", range.durations[k]), 1e-8)
                                       .force_max;
       EXPECT_LE(steady.horizons.at(k).force_max.lower, upper);
@@ -85,7 +85,7 @@ TEST(LateSlips, ArePartOfTheStudy) {
     }
     const auto& slender = study.slender.at(i);
     EXPECT_EQ(slender.frequency_hz, range.frequencies_hz[i]);
-    EXPECT_TRUE(within(slender.force_max, studies::criterion_of(problem).force_max.midpoint(),
+    EXPECT_TRUE(within(slender.force_max, analytic::evaluate_criterion(problem).force_max.midpoint(),
                        reference(1e-7 * slender.force_max, "bounds of both")));
     const auto& of_damping = study.damped.at(i);
     EXPECT_EQ(of_damping.amplitude, range.amplitudes[i]);
@@ -118,7 +118,7 @@ TEST(Refusals, AreForForcesWithoutAStickState) {
     expect_refused(buckled || has_no_contact,
                    [&] { (void)solver::first_slip(with(paper_problem(25.0, 1e-3), beam, numerics)); });
     expect_refused(buckled || has_no_contact,
-                   [&] { (void)analytic::evaluate_criterion(beam, paper_friction(), shaking, 1e-3); });
+                   [&] { (void)analytic::evaluate_criterion(with(paper_problem(25.0, 1e-3, 1e-3), beam)); });
     expect_refused(buckled, [&] { (void)solver::stick_modes(model, 1); });
     expect_refused(buckled, [&] { (void)analytic::stick_modes(beam, 1); });
     expect_refused(buckled, [&] { (void)model.unit_tip_deflection(); });
@@ -136,7 +136,7 @@ TEST(AmplitudeLimits, AreThoseOfTheCommand) {
   finite_elements[1].linear = 2e-4;
   const auto study = studies::amplitude_limits(paper(), damped, {20.0, 25.0, 70.0}, finite_elements);
   const auto critical = [](const data::Case& problem) {
-    return studies::criterion_of(problem, 1e-6).critical_amplitude.midpoint();
+    return analytic::evaluate_criterion(problem, 1e-6).critical_amplitude.midpoint();
   };
   for (const auto& limit : study.limits) {
     data::Case problem = paper_at(limit.frequency_hz);

@@ -10,6 +10,7 @@
 #include "stickslip/analytic/slip_modes.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/analytic/stick_response.hpp"
+#include "stickslip/data/key.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "stickslip/solver/modal_analysis.hpp"
 #include "support/random_beams.hpp"
@@ -99,15 +100,21 @@ std::vector<double> stick_frequencies(const data::Beam& beam, int count) {
   return frequencies;
 }
 
+data::Case with_duration(const data::Case& problem, double duration, int modes) {
+  return data::with_values(problem, {{"excitation.duration", duration},
+                                     {"numerics.time_step", 1e-3 * duration},
+                                     {"numerics.modes", modes}});
+}
+
 /// A beam whose tip slips: 1.2 to 3 times the critical amplitude over one period, damped by half a percent of critical in its
 /// first mode.
 data::Case slipping(const data::Beam& beam, RandomNumbers& numbers) {
   const std::vector<double> natural = stick_frequencies(beam, kModes);
   const double hz = random_frequency_hz(numbers, natural, 0.05);
   const double friction = numbers.uniform(0.1, 1.0);
-  const auto criterion = analytic::evaluate_criterion(
-      beam, data::FrictionLaw({.static_coefficient = friction}),
-      data::HarmonicExcitation({.frequency_hz = hz, .amplitude = 0.0}), 1.0 / hz, kModes);
+  const data::Case still = with(with_duration(paper_problem(hz, 0.0), 1.0 / hz, kModes), beam,
+                                data::FrictionLaw({.static_coefficient = friction}));
+  const auto criterion = analytic::evaluate_criterion(still);
   const double amplitude = numbers.uniform(1.2, 3.0) * criterion.critical_amplitude.midpoint();
   return random_problem(numbers, beam, friction, {.frequency_hz = hz, .amplitude = amplitude},
                         0.01 / natural.front());
@@ -218,8 +225,8 @@ std::vector<Quantity> stick_response(const Scene& scene) {
 std::vector<Quantity> criterion(const Scene& scene) {
   const data::Beam& beam = scene.problem.beam();
   const data::HarmonicExcitation& excitation = scene.problem.excitation();
-  const auto found = analytic::evaluate_criterion(beam, scene.problem.contact.friction, excitation,
-                                                  2.0 * period(excitation));
+  const auto found = analytic::evaluate_criterion(
+      with_duration(with(scene.problem, data::Damping()), 2.0 * period(excitation), 10));
   const auto width = [](double value) {
     return discretisation(1e-10 * value, 1.0, "relative width of the enclosures");
   };
@@ -537,16 +544,17 @@ struct FirstSlip {
   std::function<double(const data::Case&)> critical_amplitude;
 };
 
+data::Case over_a_period(const data::Case& problem) {
+  return with_duration(with(problem, data::Damping()), period(problem.excitation()), 4);
+}
+
 double slip_by_criterion(const data::Case& problem) {
-  const auto found = analytic::evaluate_criterion(problem.beam(), problem.contact.friction,
-                                                  problem.excitation(), period(problem.excitation()), 4);
+  const auto found = analytic::evaluate_criterion(over_a_period(problem));
   return found.verdict == analytic::Verdict::stick_slip ? 0.0 : never;
 }
 
 double critical_by_criterion(const data::Case& problem) {
-  return analytic::evaluate_criterion(problem.beam(), problem.contact.friction, problem.excitation(),
-                                      period(problem.excitation()), 4)
-      .critical_amplitude.midpoint();
+  return analytic::evaluate_criterion(over_a_period(problem)).critical_amplitude.midpoint();
 }
 
 double stepped_slip(const data::Case& problem) {

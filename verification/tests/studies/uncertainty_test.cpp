@@ -5,7 +5,7 @@
 #include <gsl/gsl_randist.h>
 #include <span>
 
-#include "stickslip/analytic/damped_reaction.hpp"
+#include "stickslip/analytic/stick_reaction.hpp"
 #include "studies/analyses/design_guide.hpp"
 #include "studies/analyses/slip_probability.hpp"
 #include "studies/common/parallel.hpp"
@@ -234,10 +234,7 @@ TEST(JointDistribution, HasTheStatedCorrelation) {
 
 data::Case problem(double hz = 35.0) { return paper_problem(hz, 0.5e-3, 10.0); }
 
-double force_per_metre(const data::Case& of) {
-  return analytic::largest_unit_force(of.beam(), of.damping, of.excitation().frequency_hz(), 10.0, 10)
-      .midpoint();
-}
+double force_per_metre(const data::Case& of) { return analytic::StickReaction(of).largest().midpoint(); }
 
 // mu_c: the tip slips if the static coefficient is smaller.
 double critical_coefficient(const data::Case& of) { return 0.5e-3 * force_per_metre(of) / 500.0; }

@@ -41,9 +41,8 @@ inline bool is_printed(const std::string& id, double value) {
 
 /// Eqs. (29), (30), with Eq. (28).
 inline bool criterion_slips(double hz, double amplitude) {
-  return analytic::evaluate_criterion(paper().beam(), paper().contact.friction, excitation(hz, amplitude),
-                                      paper().numerics.duration(), paper().numerics.modes())
-             .verdict == analytic::Verdict::stick_slip;
+  return analytic::evaluate_criterion(with(paper(), excitation(hz, amplitude))).verdict ==
+         analytic::Verdict::stick_slip;
 }
 
 /// A run of finite elements with the settings of the paper.

@@ -7,7 +7,6 @@
 #include <string_view>
 
 #include "stickslip/analytic/force_maximum.hpp"
-#include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/data/problem.hpp"
 
 namespace stickslip::analytic {
@@ -33,12 +32,14 @@ struct Criterion {
 /// contact, at the buckling load no stick state.
 void require_contact(const data::Beam& beam);
 
-/// Evaluates the criterion with largest_unit_force() of damped_reaction.hpp. The reaction is proportional to A0, so that
-/// the critical amplitude follows for any excitation.amplitude(), zero included. Throws what require_contact() and
-/// largest_unit_force() throw.
-[[nodiscard]] Criterion evaluate_criterion(const data::Beam& beam, const data::FrictionLaw& friction,
-                                           const data::HarmonicExcitation& excitation, double duration,
-                                           int modes = 10, SteadyPart steady_part = SteadyPart::modal_sum,
-                                           double relative_width = 1e-10, const data::Damping& damping = {});
+/// With the first numerics.modes() modes, as in the paper (StickReaction). The reaction is proportional to A0, so that the critical
+/// amplitude follows for any amplitude of the base, zero included. Throws what require_contact() and StickReaction throw.
+[[nodiscard]] Criterion evaluate_criterion(const data::Case& problem, double relative_width = 1e-10);
+
+/// Without truncation: the exact steady part and many free vibrations (modes_of_all()), with bounds that hold those that are left out,
+/// 1e-5 of the paper's force with damping. There are twice as many as long as the bounds hold μ_s P or 0; the latter does not count
+/// where the verdict alone does.
+[[nodiscard]] Criterion criterion_with_all_modes(const data::Case& problem, double relative_width = 1e-10,
+                                                 bool verdict_alone = false);
 
 }  // namespace stickslip::analytic

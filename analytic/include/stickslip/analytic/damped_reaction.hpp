@@ -141,11 +141,4 @@ class DampedForce {
   double rounding_{};
 };
 
-/// max |f|/A0, N/m, over 0 ≤ t ≤ duration: ForceMaximum of the undamped beam, with shear if it has it, or, if it is
-/// damped, DampedForce. Throws data::FieldError, naming beam.shear_stiffness, for both together.
-[[nodiscard]] Bounds largest_unit_force(const data::Beam& beam, const data::Damping& damping,
-                                        double frequency_hz, double duration, int modes,
-                                        SteadyPart steady_part = SteadyPart::modal_sum,
-                                        double relative_width = 1e-10);
-
 }  // namespace stickslip::analytic

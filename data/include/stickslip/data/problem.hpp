@@ -53,6 +53,8 @@ struct BeamProperties {
   /// its direction (a dead load, the normal force of a flat wall)
   double axial_direction{};
   double shear_stiffness{};  ///< k G A, N, ≥ 0; 0 for the beam of Euler and Bernoulli, rigid in shear
+
+  bool operator==(const BeamProperties&) const = default;
 };
 
 /// A uniform beam. Cannot be built invalid.
@@ -70,6 +72,7 @@ class Beam {
   [[nodiscard]] double axial_direction() const noexcept { return properties_.axial_direction; }
   [[nodiscard]] double shear_stiffness() const noexcept { return properties_.shear_stiffness; }
   [[nodiscard]] const BeamProperties& properties() const noexcept { return properties_; }
+  bool operator==(const Beam&) const = default;
 
  private:
   BeamProperties properties_;
@@ -227,6 +230,11 @@ class Damping {
   [[nodiscard]] double ratio() const noexcept { return properties_.ratio; }
   [[nodiscard]] const DampingProperties& properties() const noexcept { return properties_; }
   [[nodiscard]] bool is_none() const noexcept { return properties_ == DampingProperties(); }
+  /// Of a mode, a fraction of critical: ζ + η ω/2, ω in rad/s.
+  [[nodiscard]] double ratio_at(double angular_frequency) const noexcept {
+    return ratio() + 0.5 * kelvin_voigt() * angular_frequency;
+  }
+  bool operator==(const Damping&) const = default;
 
  private:
   DampingProperties properties_;

@@ -13,9 +13,7 @@ int main(int argc, char** argv) {
   if (argc != 2) return 2;
   const data::Case problem = data::read_case(argv[1]);
 
-  const auto criterion =
-      analytic::evaluate_criterion(problem.beam(), problem.contact.friction, problem.excitation(),
-                                   problem.numerics.duration(), problem.numerics.modes());
+  const auto criterion = analytic::evaluate_criterion(problem);
   std::cout << "critical amplitude / m: " << data::shortest_text(criterion.critical_amplitude.midpoint())
             << '\n';
 

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// The force that holds the contact of a case while it sticks: the one door from a case to its physics. Shear, damping and what each of
+/// them costs stay behind it.
+///
+/// Every force here is per unit amplitude of the base displacement, N/m, for the excitation frequency Ω and the duration T of the case.
+
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+#include "stickslip/analytic/band_maximum.hpp"
+#include "stickslip/analytic/force_maximum.hpp"
+#include "stickslip/analytic/modal_reaction.hpp"
+#include "stickslip/data/problem.hpp"
+
+namespace stickslip::analytic {
+
+/// The reaction of one case.
+class StickReaction {
+ public:
+  /// With the first numerics.modes() modes, Eq. (28): ModalReaction, or with damping DampedReaction. Throws what these throw, and
+  /// data::FieldError, naming beam.shear_stiffness, for shear together with damping.
+  explicit StickReaction(const data::Case& problem);
+  /// With `modes` modes, the exact steady part and bounds of what is left out (StickResponse::omitted_transient_bound(),
+  /// timoshenko_omitted_transient() or DampedForce, whose conditions hold).
+  StickReaction(const data::Case& problem, int modes);
+  /// With these modes of an undamped beam, those of the case.
+  StickReaction(const data::Case& problem, ModalReaction reaction);
+
+  /// The reaction of another case with the same structure, damping and number of modes, which are not computed again.
+  [[nodiscard]] StickReaction of(const data::Case& other) const;
+
+  /// Bounds of max |f| over 0 ≤ t ≤ T: ForceMaximum or DampedForce, widened by what is left out. Throws what refined_to() throws.
+  [[nodiscard]] Bounds largest(double relative_width = 1e-10) const;
+  /// Whether max |f| exceeds the limit, N/m: largest(relative_width).lower > limit, without damping with fewer evaluations.
+  [[nodiscard]] bool exceeds(double limit, double relative_width = 1e-10) const;
+  /// The search for the largest max |f| over a band of frequencies.
+  [[nodiscard]] BandMaximum over(const FrequencyBand& band,
+                                 DampedForcePart part = DampedForcePart::start_up) const;
+  /// The least damping ratio of the modes that vibrate; 0 without damping.
+  [[nodiscard]] double least_damping_ratio() const;
+
+ private:
+  struct Kept {
+    std::optional<ModalReaction> undamped;
+    std::optional<DampedReaction> damped, half;  // half as many modes of it, for what is left out
+    double omitted{};                            // of undamped, N/m
+  };
+  [[nodiscard]] DampedForce damped_force() const;
+
+  std::shared_ptr<const Kept> kept_;
+  double omega_, duration_;
+};
+
+/// The reactions of many cases. They share the modes of the first one where they can, or take them from a table.
+class StickReactions {
+ public:
+  explicit StickReactions(const data::Case& first) : first_(first) {}
+
+  /// From now on the modes of undamped beams, rigid in shear and with the χ of the first case, are interpolated for load factors
+  /// P L²/EI in this range (ModalReactionTable). Does nothing for a first case with damping or shear.
+  void tabulate(double lowest_load_factor, double highest_load_factor);
+
+  /// Throws what StickReaction throws.
+  [[nodiscard]] StickReaction of(const data::Case& problem) const;
+
+ private:
+  data::Case first_;
+  std::optional<ModalReactionTable> table_;
+  mutable std::mutex guard_;
+  mutable std::optional<StickReaction> common_;
+};
+
+/// How many modes StickReaction needs for the force of all modes, and how many it may have. Beyond, they would be beyond the closed
+/// form, or lose the slow vibrations in the rounding of the fast ones.
+struct ModesOfAll {
+  int first{}, most{};
+};
+/// 200 to 800, with damping, which couples them, 40 to 160; the first is doubled until the highest mode is at 4 Ω or above. Where a
+/// verdict alone counts, undamped ones begin with 40 or 4 numerics.modes. Throws data::FieldError, naming
+/// excitation.frequency_hz, where the most are too few.
+[[nodiscard]] ModesOfAll modes_of_all(const data::Case& problem, bool verdict_alone = false);
+
+/// The amplitude of f in the steady vibration, with all modes: exact, but for bounds where modes are coupled by damping that is not
+/// Kelvin-Voigt's alone. Infinite without damping at a natural frequency.
+[[nodiscard]] Bounds steady_reaction(const data::Case& problem);
+
+/// The frequencies of the first `count` modes with their shares in the reaction, undamped, ascending.
+[[nodiscard]] std::vector<ModalForce> held_modes(const data::Case& problem, int count);
+
+}  // namespace stickslip::analytic

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+#include "stickslip/analytic/stick_reaction.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+#include <string>
+#include <utility>
+
+#include "beam_constants.hpp"
+#include "stickslip/analytic/damped_steady_state.hpp"
+#include "stickslip/analytic/stick_response.hpp"
+#include "stickslip/analytic/timoshenko_modes.hpp"
+
+namespace stickslip::analytic {
+namespace {
+
+double angular_frequency(const data::Case& problem) {
+  return 2.0 * std::numbers::pi * problem.excitation().frequency_hz();
+}
+
+StickResponse exact_response(const data::Case& problem, int modes) {
+  const data::HarmonicExcitation unit(
+      {.frequency_hz = problem.excitation().frequency_hz(), .amplitude = 1.0});
+  return {problem.beam(), unit, modes, SteadyPart::exact};
+}
+
+}  // namespace
+
+StickReaction::StickReaction(const data::Case& problem)
+    : omega_(angular_frequency(problem)), duration_(problem.numerics.duration()) {
+  const int modes = problem.numerics.modes();
+  auto kept = std::make_shared<Kept>();
+  if (problem.damping.is_none())
+    kept->undamped = modal_reaction(problem.beam(), modes);
+  else
+    kept->damped = damped_reaction(problem.beam(), problem.damping, modes);
+  kept_ = std::move(kept);
+}
+
+StickReaction::StickReaction(const data::Case& problem, int modes)
+    : omega_(angular_frequency(problem)), duration_(problem.numerics.duration()) {
+  const data::Beam& beam = problem.beam();
+  auto kept = std::make_shared<Kept>();
+  if (!problem.damping.is_none()) {
+    kept->damped = damped_reaction(beam, problem.damping, modes, SteadyPart::exact);
+    kept->half = damped_reaction(beam, problem.damping, modes / 2, SteadyPart::exact);
+  } else if (problem.has(data::Feature::shear)) {
+    kept->undamped = timoshenko_reaction(beam, modes, omega_);
+    kept->omitted = timoshenko_omitted_transient(timoshenko_reaction(beam, modes), omega_);
+  } else {
+    const StickResponse response = exact_response(problem, modes);
+    kept->undamped = response.reaction();
+    kept->omitted = response.omitted_transient_bound();
+  }
+  kept_ = std::move(kept);
+}
+
+StickReaction::StickReaction(const data::Case& problem, ModalReaction reaction)
+    : kept_(std::make_shared<const Kept>(Kept{.undamped = std::move(reaction), .damped = {}, .half = {}})),
+      omega_(angular_frequency(problem)),
+      duration_(problem.numerics.duration()) {}
+
+StickReaction StickReaction::of(const data::Case& other) const {
+  StickReaction reaction = *this;
+  reaction.omega_ = angular_frequency(other);
+  reaction.duration_ = other.numerics.duration();
+  return reaction;
+}
+
+DampedForce StickReaction::damped_force() const {
+  return kept_->half ? DampedForce(*kept_->damped, omega_, duration_, *kept_->half)
+                     : DampedForce(*kept_->damped, omega_, duration_);
+}
+
+Bounds StickReaction::largest(double relative_width) const {
+  if (kept_->damped) return damped_force().refined_to(relative_width);
+  const Bounds force = ForceMaximum(*kept_->undamped, omega_, duration_).refined_to(relative_width);
+  return {std::max(0.0, force.lower - kept_->omitted), force.upper + kept_->omitted};
+}
+
+bool StickReaction::exceeds(double limit, double relative_width) const {
+  if (kept_->damped) return largest(relative_width).lower > limit;
+  return ForceMaximum(*kept_->undamped, omega_, duration_).exceeds(limit);
+}
+
+BandMaximum StickReaction::over(const FrequencyBand& band, DampedForcePart part) const {
+  if (kept_->damped) return {*kept_->damped, band, duration_, part};
+  return {*kept_->undamped, band, duration_};
+}
+
+double StickReaction::least_damping_ratio() const {
+  if (!kept_->damped) return 0.0;
+  double least = 1.0;
+  for (const ModalShare& share : kept_->damped->shares)
+    least = std::min(least, -share.eigenvalue.real() / std::abs(share.eigenvalue));
+  return least;
+}
+
+void StickReactions::tabulate(double lowest_load_factor, double highest_load_factor) {
+  if (!first_.damping.is_none() || first_.has(data::Feature::shear)) return;
+  table_.emplace(lowest_load_factor, highest_load_factor, first_.numerics.modes(),
+                 first_.beam().axial_direction());
+}
+
+StickReaction StickReactions::of(const data::Case& problem) const {
+  const bool has_its_modes = problem.numerics.modes() == first_.numerics.modes();
+  if (table_ && has_its_modes && problem.damping.is_none() && table_->holds(problem.beam()))
+    return {problem, table_->at(problem.beam())};
+  if (!has_its_modes || problem.structure != first_.structure || problem.damping != first_.damping)
+    return StickReaction(problem);
+  const std::lock_guard lock(guard_);
+  if (!common_) common_.emplace(problem);
+  return common_->of(problem);
+}
+
+ModesOfAll modes_of_all(const data::Case& problem, bool verdict_alone) {
+  const bool is_damped = !problem.damping.is_none();
+  ModesOfAll modes{.first = is_damped ? 40 : 200, .most = is_damped ? 160 : 800};
+  if (verdict_alone && !is_damped) modes.first = std::clamp(4 * problem.numerics.modes(), 40, 200);
+  const double omega = angular_frequency(problem);
+  for (;; modes.first = std::min(2 * modes.first, modes.most)) {
+    const double highest = held_modes(problem, modes.first).back().angular_frequency;
+    if (highest >= 4.0 * omega) return modes;
+    if (modes.first < modes.most) continue;
+    char hz[32];
+    std::snprintf(hz, sizeof hz, "%.6g", highest / (8.0 * std::numbers::pi));
+    throw data::FieldError("excitation.frequency_hz", problem.excitation().frequency_hz(),
+                           "at most " + std::string(hz) + " Hz, a quarter of natural frequency " +
+                               std::to_string(modes.most) + " of the stick state");
+  }
+}
+
+Bounds steady_reaction(const data::Case& problem) {
+  const double omega = angular_frequency(problem);
+  const auto exactly = [](double force) { return Bounds{std::abs(force), std::abs(force)}; };
+  if (problem.damping.is_none()) {
+    if (problem.has(data::Feature::shear)) return exactly(timoshenko_steady_force(problem.beam(), omega));
+    return exactly(exact_response(problem, modes_of_all(problem).first).steady_force_amplitude());
+  }
+  const data::Damping kelvin_voigt({.kelvin_voigt = problem.damping.kelvin_voigt()});
+  if (problem.damping == kelvin_voigt) {
+    const data::HarmonicExcitation unit(
+        {.frequency_hz = problem.excitation().frequency_hz(), .amplitude = 1.0});
+    return exactly(std::abs(
+        DampedSteadyState(problem.beam(), unit, kelvin_voigt, TipSupport::held).friction_force()));
+  }
+  const int modes = modes_of_all(problem).first;
+  const auto reaction = [&](int count) {
+    return damped_reaction(problem.beam(), problem.damping, count, SteadyPart::exact);
+  };
+  return DampedForce(reaction(modes), omega, problem.numerics.duration(), reaction(modes / 2))
+      .steady_bounds();
+}
+
+std::vector<ModalForce> held_modes(const data::Case& problem, int count) {
+  return modal_forces(problem.beam(), count);
+}
+
+}  // namespace stickslip::analytic
