@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "stickslip/analytic/force_maximum.hpp"
+#include "stickslip/analytic/criterion.hpp"
 #include "studies/analyses/sampling.hpp"
 
 namespace stickslip::cli {

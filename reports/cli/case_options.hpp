@@ -11,7 +11,7 @@
 
 #include "answer.hpp"
 #include "command.hpp"
-#include "stickslip/analytic/band_maximum.hpp"
+#include "stickslip/analytic/stick_reaction.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "studies/analyses/criterion_answer.hpp"
 #include "studies/analyses/problem_warnings.hpp"

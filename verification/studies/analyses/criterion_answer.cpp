@@ -109,15 +109,15 @@ std::optional<Change> best_change(
     const data::Case& problem,
     const std::function<std::optional<double>(std::string_view key, double value)>& margin_with) {
   Change best;
-  for (const std::string_view key :
-       {"beam.length", "section.width", "section.height", "section.diameter", "section.wall_thickness",
-        "beam.axial_force", "friction.static_coefficient"})
+  for (const data::Key& key : data::case_keys()) {
+    if (!key.effects.is_adjustable) continue;
     for (const double factor : {0.9, 1.1}) {
-      const double value = factor * data::value_of(problem, key);
+      const double value = factor * data::value_of(problem, key.path);
       if (std::isnan(value)) continue;
-      if (const auto margin = margin_with(key, value); margin && *margin > best.margin)
-        best = {key, factor, *margin};
+      if (const auto margin = margin_with(key.path, value); margin && *margin > best.margin)
+        best = {key.path, factor, *margin};
     }
+  }
   return best.key.empty() ? std::nullopt : std::optional(best);
 }
 

@@ -28,29 +28,19 @@ bool is_amplitude(std::string_view parameter) {
   return data::state_the_same(parameter, data::amplitude_keys.front());
 }
 
-// |f_max| is proportional to the amplitude, and the friction limit μ_s P to the static coefficient.
-bool is_a_factor(std::string_view parameter) {
-  return is_amplitude(parameter) || parameter == "friction.static_coefficient";
+bool either(const MapTask& task, bool data::KeyEffects::* effect) {
+  return data::key_named(task.x.parameter).effects.*effect || data::key_named(task.y.parameter).effects.*effect;
 }
 
 // Whether the cells have different beams, but for the direction of P. Some of them may be buckled and others not.
-bool varies_beam(const MapTask& task) {
-  return std::ranges::any_of(std::array{task.x.parameter, task.y.parameter}, [](std::string_view parameter) {
-    return (parameter.starts_with("beam.") || parameter.starts_with("section.")) &&
-           parameter != "beam.axial_direction";
-  });
-}
+bool varies_beam(const MapTask& task) { return either(task, &data::KeyEffects::varies_beam); }
 
 // Whether the modes depend on more than the load factor, or a cell may be damped and another one not.
-bool varies_direction_or_damping(const MapTask& task) {
-  return std::ranges::any_of(std::array{task.x.parameter, task.y.parameter}, [](std::string_view parameter) {
-    return parameter == "beam.axial_direction" || parameter.starts_with("damping.");
-  });
-}
+bool couples_modes(const MapTask& task) { return either(task, &data::KeyEffects::couples_modes); }
 
 // How many values of an axis need separate evaluations of the force.
 std::size_t evaluations_along(const MapTask& task, const MapAxis& axis) {
-  return is_a_factor(axis.parameter) && task.quantities.empty() ? 1 : axis.values.size();
+  return data::key_named(axis.parameter).effects.is_a_factor && task.quantities.empty() ? 1 : axis.values.size();
 }
 
 // The load factor P L²/EI, which determines the buckling state and the modes of the stick state.
@@ -71,7 +61,7 @@ class Forces {
  public:
   explicit Forces(const MapTask& task) : method_(task.method), reactions_(task.problem) {
     // Their modes depend on more than the load factor.
-    if (method_ != MapMethod::closed_form || !varies_beam(task) || varies_direction_or_damping(task)) return;
+    if (method_ != MapMethod::closed_form || !varies_beam(task) || couples_modes(task)) return;
     double lowest = std::numeric_limits<double>::infinity(), highest = 0.0;
     for (const std::size_t j : ends_of(task.y))
       for (const std::size_t i : ends_of(task.x)) {
@@ -120,7 +110,7 @@ class Forces {
 class Responses {
  public:
   explicit Responses(const MapTask& task) : task_(task) {
-    if (!varies_beam(task) && !varies_direction_or_damping(task))
+    if (!varies_beam(task) && !couples_modes(task))
       common_.emplace(response_model(case_at(task, 0, 0)));
   }
 
@@ -238,8 +228,7 @@ void evaluate(const MapTask& task, std::span<const std::size_t> numbers, MapEval
         fmt::format("the vector of evaluations has the size {}, but must have the size {}",
                     evaluations.size(), evaluation_count(task)));
   const bool may_be_buckled = varies_beam(task);
-  const bool decide_only =
-      task.states_only && !is_a_factor(task.x.parameter) && !is_a_factor(task.y.parameter);
+  const bool decide_only = task.states_only && !either(task, &data::KeyEffects::is_a_factor);
   std::optional<Forces> forces;
   std::optional<Responses> responses;
   if (task.quantities.empty())

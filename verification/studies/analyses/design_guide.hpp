@@ -9,8 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "stickslip/analytic/band_maximum.hpp"
-#include "stickslip/analytic/force_maximum.hpp"
+#include "stickslip/analytic/stick_reaction.hpp"
 #include "stickslip/data/problem.hpp"
 #include "studies/common/members.hpp"
 #include "studies/common/problem_parameter.hpp"

@@ -560,18 +560,14 @@ std::optional<std::string> draw_back_warning(const data::Beam& beam, double draw
 std::vector<Warning> warnings_common_to(const data::Case& problem,
                                         const std::vector<std::string_view>& varied) {
   if (problem.beam().axial_force() >= analytic::stick_buckling_load(problem.beam())) return {};
-  const auto varies = [&](auto property) { return std::ranges::any_of(varied, property); };
-  const auto moves_a_frequency = [](std::string_view parameter) {
-    return !data::state_the_same(parameter, data::amplitude_keys.front()) &&
-           parameter != "friction.static_coefficient" && parameter != "beam.axial_direction";
-  };
-  const auto changes_the_proportions = [](std::string_view parameter) {
-    return parameter == "beam.length" || parameter == "beam.area" ||
-           parameter == "beam.second_moment_of_area" || parameter.starts_with("section.");
+  const auto all_of = [&](auto property) {
+    return std::ranges::all_of(varied,
+                               [&](std::string_view key) { return property(data::key_named(key).effects); });
   };
   std::vector<Warning> warnings;
-  if (!varies(moves_a_frequency)) warn_of_resonance(problem, Inquiry::criterion, warnings);
-  if (!varies(changes_the_proportions))
+  if (all_of([](const data::KeyEffects& one) { return one.keeps_frequencies; }))
+    warn_of_resonance(problem, Inquiry::criterion, warnings);
+  if (all_of([](const data::KeyEffects& one) { return !one.has_proportions; }))
     warn_of_thickness(problem.beam(), false, highest_mode_that_matters(problem), warnings);
   return warnings;
 }

@@ -32,14 +32,6 @@ struct SampleResult {
   bool slips{};
 };
 
-// Keys on which |f_max| per metre of amplitude does not depend.
-bool moves_the_force(const std::string& key) {
-  static const std::set<std::string> others{"numerics.time_step", "numerics.spectral_radius",
-                                            "numerics.velocity_threshold"};
-  return !key.starts_with("friction.") && !others.contains(key) &&
-         !data::state_the_same(key, data::amplitude_keys.front());
-}
-
 // The verdict on the cases in which keys have other values.
 class Verdicts {
  public:
@@ -50,7 +42,7 @@ class Verdicts {
       problem_ = with_value(problem_, "excitation.frequency_hz", band_->from_hz);
       band_->held = problem_.excitation().motion().amplitude_of;
     }
-    if (std::ranges::any_of(keys_, [](const auto& key) { return moves_the_force(key.key); })) return;
+    if (std::ranges::any_of(keys_, [](const auto& key) { return data::key_named(key.key).effects.moves_the_force; })) return;
     force_ = band_ ? search_of(problem_).refined_to(common_width) : unit_force(problem);
   }
 

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "stickslip/analytic/band_maximum.hpp"
+#include "stickslip/analytic/stick_reaction.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/data/problem.hpp"
 #include "studies/analyses/criterion_answer.hpp"

@@ -61,12 +61,24 @@ struct KeyAxis {
   [[nodiscard]] std::string_view unit() const { return label.substr(label.rfind(" / ") + 3); }
 };
 
+/// What changes with a key, for those who vary it.
+struct KeyEffects {
+  bool is_a_factor{};        ///< the force that holds the contact, or its limit, is proportional to it
+  bool moves_the_force{};    ///< |f_max| per metre of amplitude
+  bool varies_beam{};        ///< stiffness, mass or load of the beam, and with them buckling
+  bool couples_modes{};      ///< shares or damping of the modes, beyond the load factor
+  bool keeps_frequencies{};  ///< neither a natural frequency nor that of the excitation
+  bool has_proportions{};    ///< length or section: whether the beam is slender
+  bool is_adjustable{};      ///< a designer may change it by a tenth
+};
+
 struct Key {
   std::string_view path;  ///< "beam.length"
   KeyMember member;
   Magnitudes magnitudes;
   Presence presence{Presence::required};
   KeyAxis axis{};
+  KeyEffects effects{};
 
   [[nodiscard]] std::string_view table() const { return path.substr(0, path.find('.')); }
   [[nodiscard]] std::string_view name() const { return path.substr(path.find('.') + 1); }
