@@ -208,9 +208,13 @@ class NumbersReader {
                                            numbers_.numerics.duration, Damping(numbers_.damping));
     fill(true);
     mistakes_.throw_if_any();
-    collect([&] { (void)case_of(file_.stem().string(), numbers_); });
+    std::optional<Case> problem;
+    collect([&] { problem = case_of(file_.stem().string(), numbers_); });
     mistakes_.throw_if_any();
-    return case_of(file_.stem().string(), numbers_);
+    for (const Key& key : case_keys())
+      if (key.table() == "numerics" && key.member.get != nullptr && !entries_.contains(std::string(key.path)))
+        problem->default_numerics.emplace(key.path);
+    return *problem;
   }
 
  private:

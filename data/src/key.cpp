@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "stickslip/data/case_file.hpp"
 #include "stickslip/data/input_text.hpp"
 #include "stickslip/data/units.hpp"
 
@@ -224,7 +225,10 @@ double value_of(const Case& problem, std::string_view path) {
   return key_named(path).member.get(numbers_in(problem));
 }
 
-Case with_values(const Case& problem, const std::vector<std::pair<std::string_view, double>>& values) {
+namespace {
+
+CaseNumbers numbers_with(const Case& problem,
+                         const std::vector<std::pair<std::string_view, double>>& values) {
   const auto has_value = [&](std::string_view path) {
     return std::ranges::find(values, path, &std::pair<std::string_view, double>::first) != values.end();
   };
@@ -254,7 +258,31 @@ Case with_values(const Case& problem, const std::vector<std::pair<std::string_vi
   if (!has_value("friction.kinetic_coefficient"))
     after.friction.kinetic_coefficient =
         std::min(after.friction.kinetic_coefficient, after.friction.static_coefficient);
-  return case_of(problem.name, after);
+  return after;
+}
+
+Case remade(const Case& problem, const CaseNumbers& numbers) {
+  Case made = case_of(problem.name, numbers);
+  made.default_numerics = problem.default_numerics;
+  return made;
+}
+
+}  // namespace
+
+Case with_values(const Case& problem, const std::vector<std::pair<std::string_view, double>>& values) {
+  return remade(problem, numbers_with(problem, values));
+}
+
+Case restated(const Case& problem, const std::vector<std::pair<std::string_view, double>>& values) {
+  CaseNumbers numbers = numbers_with(problem, values);
+  const CaseNumbers defaults{.numerics =
+                                 default_numerics(Beam(numbers.beam), HarmonicExcitation(numbers.excitation),
+                                                  numbers.numerics.duration, Damping(numbers.damping))};
+  for (const std::string& path : problem.default_numerics) {
+    const KeyMember& member = key_named(path).member;
+    member.set(numbers, member.get(defaults));
+  }
+  return remade(problem, numbers);
 }
 
 Case with_value(const Case& problem, std::string_view path, double value) {

@@ -32,10 +32,10 @@ std::string no_other_film(const std::string& name) {
 
 // With the duration that is drawn.
 data::Case case_of(const AnimateOptions& options) {
-  const double hz = load_case(options.problem).excitation().frequency_hz();
-  auto overrides = overrides_of(options.problem);
-  overrides.insert(overrides.begin(), override_with("excitation.duration", periods / hz, ""));
-  return data::load_case(options.problem.name, overrides);
+  const data::Case problem = load_case(options.problem);
+  for (const data::Override& given : overrides_of(options.problem))
+    if (data::state_the_same(given.key, "excitation.duration")) return problem;
+  return restated(problem, {{"excitation.duration", periods / problem.excitation().frequency_hz()}});
 }
 
 Answer animate(const AnimateOptions& options, Outputs& outputs) {

@@ -79,16 +79,8 @@ data::Case load_case(const CaseOptions& options, const std::vector<data::Overrid
   return problem;
 }
 
-studies::Remake remake_of(const CaseOptions& options, const std::vector<data::Override>& more) {
-  return [options, more](std::string_view key, double value) {
-    auto overrides = more;
-    overrides.push_back(override_with(std::string(key), value, ""));
-    return load_case(options, overrides);
-  };
-}
-
-data::NumericalSettings numerics_up_to(double frequency_hz, const CaseOptions& options) {
-  return load_case(options, {override_with("excitation.frequency_hz", frequency_hz, "")}).numerics;
+data::NumericalSettings numerics_up_to(double frequency_hz, const data::Case& problem) {
+  return restated(problem, {{"excitation.frequency_hz", frequency_hz}}).numerics;
 }
 
 void require_no_fixed_value(const CaseOptions& options, std::string_view varied, std::string_view option) {

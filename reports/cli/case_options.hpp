@@ -48,12 +48,8 @@ void add_duration_option(CLI::App& command, CaseOptions& options,
 /// The case with those overrides and some more. Throws data::InputError, also for a contact that the command does not take.
 [[nodiscard]] data::Case load_case(const CaseOptions& options, const std::vector<data::Override>& more = {});
 
-/// Makes the case with another value of a key, as --set does.
-[[nodiscard]] studies::Remake remake_of(const CaseOptions& options,
-                                        const std::vector<data::Override>& more = {});
-
-/// The settings of that case for excitations up to a frequency, which decides those that the case does not state.
-[[nodiscard]] data::NumericalSettings numerics_up_to(double frequency_hz, const CaseOptions& options);
+/// The settings of a case for excitations up to a frequency, which decides those that the case does not state.
+[[nodiscard]] data::NumericalSettings numerics_up_to(double frequency_hz, const data::Case& problem);
 
 /// Throws data::InputError if an option of its own gives what another one, such as --x, varies.
 void require_no_fixed_value(const CaseOptions& options, std::string_view varied, std::string_view option);

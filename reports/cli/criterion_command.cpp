@@ -186,7 +186,7 @@ Answer criterion(const CriterionOptions& options, Outputs& outputs) {
   const data::Case problem = case_of(options.problem);
   outputs.about(problem);
   outputs.open({{"--figure", options.figure}});
-  const auto found = studies::criterion_answer(problem, remake_of(options.problem));
+  const auto found = studies::criterion_answer(problem);
   Answer answer = answer_of(problem, found);
   answer.warnings = warnings_about(problem, found.all_modes.verdict, found.bending);
   require_finite(answer.json);

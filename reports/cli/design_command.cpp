@@ -124,7 +124,7 @@ Answer design(const DesignOptions& options, Outputs& outputs) {
   data::Case problem = load_case(options.problem);
   analytic::require_contact(problem.beam());
   const Ranges ranges = ranges_of(problem, options);
-  problem.numerics = numerics_up_to(ranges.band.upper, options.problem);
+  problem.numerics = numerics_up_to(ranges.band.upper, problem);
   for (const double length : {problem.beam().length(), ranges.lengths.lower})
     studies::require_feasible(at_the_end_of(problem, ranges.band, length), studies::Inquiry::design);
   outputs.about(problem);

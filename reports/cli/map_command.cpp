@@ -81,7 +81,7 @@ studies::MapTask map_task(const MapOptions& options) {
   for (const auto& [axis, option] : {std::pair(&task.x, "--x"), std::pair(&task.y, "--y")}) {
     require_no_fixed_value(options.problem, axis->parameter, option);
     if (axis->parameter == "excitation.frequency_hz")
-      task.problem.numerics = numerics_up_to(axis->values.back(), options.problem);
+      task.problem.numerics = numerics_up_to(axis->values.back(), task.problem);
   }
   task.transient = options.transient.value_or(0.5 * task.problem.numerics.duration());
   studies::require_resting_wall(task.problem);

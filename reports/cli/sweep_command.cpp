@@ -60,7 +60,7 @@ studies::SweepTask sweep_task(const SweepOptions& options) {
   require_no_fixed_value(options.problem, axis.parameter, "--parameter");
   data::Case problem = load_case(options.problem);
   if (axis.parameter == "excitation.frequency_hz")
-    problem.numerics = numerics_up_to(axis.values.back(), options.problem);
+    problem.numerics = numerics_up_to(axis.values.back(), problem);
   studies::require_resting_wall(problem);
   return {.problem = problem,
           .parameter = axis.parameter,

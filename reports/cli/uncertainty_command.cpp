@@ -152,15 +152,12 @@ Answer slip_probability(const UncertaintyOptions& given, Outputs& outputs) {
   data::Case problem = load_case(options.problem);
   const data::Uncertainty uncertainty = studies::without(
       data::read_uncertainty(data::find_case(options.problem.name)), overrides_of(options.problem));
-  std::vector<data::Override> at;
   if (options.band) {
     const auto band = parse_range("--band", "excitation.frequency_hz", *options.band, true);
     options.sampling.band = analytic::FrequencyBand{band.lower, band.upper};
-    at = {override_with("excitation.frequency_hz", band.upper, "")};
-    problem = load_case(options.problem, at);
+    problem = restated(problem, {{"excitation.frequency_hz", band.upper}});
   }
   problem = studies::stated_as(problem, uncertainty);
-  options.sampling.remake = remake_of(options.problem, at);
   const auto inquiry = options.band ? studies::Inquiry::design : studies::Inquiry::criterion;
   studies::require_feasible(problem, inquiry);
   outputs.about(problem);

@@ -141,7 +141,7 @@ std::optional<Bending> held_bending(const data::Case& problem) {
   return held_bending(problem, std::move(times));
 }
 
-CriterionAnswer criterion_answer(const data::Case& problem, const Remake& remake) {
+CriterionAnswer criterion_answer(const data::Case& problem) {
   CriterionAnswer answer{.truncated = analytic::evaluate_criterion(problem),
                          .all_modes = analytic::criterion_with_all_modes(problem),
                          .steady = {},
@@ -155,9 +155,7 @@ CriterionAnswer criterion_answer(const data::Case& problem, const Remake& remake
     answer.best_change =
         best_change(problem, [&](std::string_view key, double value) -> std::optional<double> {
           try {
-            return margin_of(analytic::evaluate_criterion(remake ? remake(key, value)
-                                                                 : with_value(problem, key, value)))
-                .lower;
+            return margin_of(analytic::evaluate_criterion(restated(problem, {{key, value}}))).lower;
           } catch (const data::InputError&) {  // no beam, or one without a stick state
             return std::nullopt;
           }

@@ -46,16 +46,13 @@ struct CriterionAnswer {
   std::optional<Change> best_change;       ///< by a tenth; nothing for an excitation amplitude of 0
 };
 
-/// The case with a key at another value, and with the settings that the program chooses for it.
-using Remake = std::function<data::Case(std::string_view key, double value)>;
-
 /// The bending of the beam with its tip held, in the modes of the continuous beam, over the duration of the case: the largest of 4096
 /// instants, which are dense at the start and not commensurate with any period; about 1 % low at most. Nothing for a beam with shear.
 [[nodiscard]] std::optional<Bending> held_bending(const data::Case& problem);
 
 /// The criterion of a case with a rigid contact by all routes, and best_change() of the margin with numerics.modes, unless these are
-/// too_few_modes(). A changed case is made by `remake` or, without one, by data::with_value(). Throws what evaluate_criterion() throws.
-[[nodiscard]] CriterionAnswer criterion_answer(const data::Case& problem, const Remake& remake = {});
+/// too_few_modes(). A changed case is restated(). Throws what evaluate_criterion() throws.
+[[nodiscard]] CriterionAnswer criterion_answer(const data::Case& problem);
 
 /// CriterionAnswer::steady.
 [[nodiscard]] std::optional<SteadyState> steady_state(const data::Case& problem);

@@ -42,7 +42,9 @@ class Verdicts {
       problem_ = with_value(problem_, "excitation.frequency_hz", band_->from_hz);
       band_->held = problem_.excitation().motion().amplitude_of;
     }
-    if (std::ranges::any_of(keys_, [](const auto& key) { return data::key_named(key.key).effects.moves_the_force; })) return;
+    if (std::ranges::any_of(keys_,
+                            [](const auto& key) { return data::key_named(key.key).effects.moves_the_force; }))
+      return;
     force_ = band_ ? search_of(problem_).refined_to(common_width) : unit_force(problem);
   }
 
@@ -278,9 +280,8 @@ void add_advice(SlipUncertainty& result, const data::Case& problem, const data::
   if (result.tightening_helps || result.slips == 0) return;
   result.best_change = best_change(problem, [&](std::string_view key, double value) {
     return result_or_reason([&] {
-      const data::Case changed =
-          sampling.remake ? sampling.remake(key, value) : with_value(problem, key, value);
-      return Verdicts(stated_as(changed, uncertainty), {}, sampling.band).nominal_margin();
+      return Verdicts(stated_as(restated(problem, {{key, value}}), uncertainty), {}, sampling.band)
+          .nominal_margin();
     });
   });
 }

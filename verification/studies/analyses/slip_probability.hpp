@@ -25,7 +25,6 @@ struct SlipSampling {
   std::uint64_t seed = 1;
   /// The margin over a band of excitation frequencies (BandMaximum) instead of that at excitation.frequency_hz.
   std::optional<analytic::FrequencyBand> band{};
-  Remake remake{};  ///< of the mean, for best_change
   bool is_short{};  ///< without all_modes and sensitivity, which take nine tenths of the time
 };
 

@@ -124,5 +124,8 @@ struct Key {
 [[nodiscard]] Case with_values(const Case& problem,
                                const std::vector<std::pair<std::string_view, double>>& values);
 [[nodiscard]] Case with_value(const Case& problem, std::string_view path, double value);
+/// As with_values(), and Case::default_numerics are those of the new case, as if its file held these values.
+[[nodiscard]] Case restated(const Case& problem,
+                            const std::vector<std::pair<std::string_view, double>>& values);
 
 }  // namespace stickslip::data

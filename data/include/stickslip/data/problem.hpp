@@ -31,6 +31,7 @@
 
 #include <array>
 #include <limits>
+#include <set>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -319,6 +320,8 @@ struct Case {
   NumericalSettings numerics;
   Damping damping{};
   Section section{};  ///< the beam's, as long as its area and second moment of area follow from it
+  std::set<std::string>
+      default_numerics{};  ///< the keys of [numerics] that its file leaves to data::default_numerics()
 
   [[nodiscard]] const Beam& beam() const { return std::get<Beam>(structure); }
   [[nodiscard]] const HarmonicExcitation& excitation() const { return std::get<HarmonicExcitation>(motion); }
