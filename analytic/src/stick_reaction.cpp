@@ -10,6 +10,7 @@
 
 #include "beam_constants.hpp"
 #include "stickslip/analytic/damped_steady_state.hpp"
+#include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/analytic/timoshenko_modes.hpp"
 
@@ -143,8 +144,8 @@ Bounds steady_reaction(const data::Case& problem) {
   if (problem.damping == kelvin_voigt) {
     const data::HarmonicExcitation unit(
         {.frequency_hz = problem.excitation().frequency_hz(), .amplitude = 1.0});
-    return exactly(std::abs(
-        DampedSteadyState(problem.beam(), unit, kelvin_voigt, TipSupport::held).friction_force()));
+    return exactly(
+        std::abs(DampedSteadyState(problem.beam(), unit, kelvin_voigt, TipSupport::held).friction_force()));
   }
   const int modes = modes_of_all(problem).first;
   const auto reaction = [&](int count) {
@@ -157,5 +158,27 @@ Bounds steady_reaction(const data::Case& problem) {
 std::vector<ModalForce> held_modes(const data::Case& problem, int count) {
   return modal_forces(problem.beam(), count);
 }
+
+std::vector<FreeVibration> free_vibrations(const data::Case& problem) {
+  constexpr int instants = 2048;
+  const double omega = angular_frequency(problem);
+  const ModalReaction reaction = modal_reaction(problem.beam(), problem.numerics.modes());
+  const double span = std::max({problem.numerics.duration(), 1.0 / problem.excitation().frequency_hz(),
+                                2.0 * std::numbers::pi / reaction.modes.front().angular_frequency});
+  const ForceMaximum force(reaction, omega, span);
+  double largest = 0.0;
+  for (int i = 1; i <= instants; ++i)
+    largest = std::max(largest, std::abs(force.value(std::fmod(i * std::numbers::phi, 1.0) * span)));
+  std::vector<FreeVibration> vibrations;
+  for (const auto& [natural, coefficient] : reaction.modes)
+    vibrations.push_back({natural, std::abs(coefficient * std::pow(omega, 3) /
+                                            ((omega - natural) * (omega + natural) * natural)) /
+                                       largest});
+  return vibrations;
+}
+
+double buckling_load(const data::Case& problem) { return stick_buckling_load(problem.beam()); }
+
+bool is_buckled(const data::Case& problem) { return problem.normal_force() >= buckling_load(problem); }
 
 }  // namespace stickslip::analytic

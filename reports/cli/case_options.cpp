@@ -5,7 +5,6 @@
 
 #include <cmath>
 
-#include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/data/csv_text.hpp"
 
 namespace stickslip::cli {
@@ -139,7 +138,7 @@ std::string material_text(const data::Beam& beam) {
 
 std::string beam_line(const data::Case& problem) {
   const data::Beam& beam = problem.beam();
-  const double share = 100.0 * beam.axial_force() / analytic::stick_buckling_load(beam);
+  const double share = 100.0 * problem.normal_force() / analytic::buckling_load(problem);
   return fmt::format("{}: {}{}, {}, P = {:.6g} N ({}), mu {:.4g}/{:.4g}\n", problem.name,
                      length_text(beam.length()), section_text(problem), material_text(beam),
                      beam.axial_force(), share < 0.0 ? "tension" : fmt::format("{:.3g} % of buckling", share),

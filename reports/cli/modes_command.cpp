@@ -8,7 +8,7 @@
 #include "command.hpp"
 #include "commands.hpp"
 #include "render/drawing.hpp"
-#include "studies/analyses/natural_frequencies.hpp"
+#include "studies/history/natural_frequencies.hpp"
 
 namespace stickslip::cli {
 

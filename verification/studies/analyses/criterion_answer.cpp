@@ -12,11 +12,11 @@
 
 #include "stickslip/analytic/stick_reaction.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
-#include "studies/analyses/natural_frequencies.hpp"
 #include "studies/analyses/problem_warnings.hpp"
 #include "studies/common/parallel.hpp"
 #include "studies/common/problem_parameter.hpp"
 #include "studies/history/method.hpp"
+#include "studies/history/natural_frequencies.hpp"
 
 namespace stickslip::studies {
 

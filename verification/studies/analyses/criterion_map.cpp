@@ -28,8 +28,9 @@ bool is_amplitude(std::string_view parameter) {
   return data::state_the_same(parameter, data::amplitude_keys.front());
 }
 
-bool either(const MapTask& task, bool data::KeyEffects::* effect) {
-  return data::key_named(task.x.parameter).effects.*effect || data::key_named(task.y.parameter).effects.*effect;
+bool either(const MapTask& task, bool data::KeyEffects::*effect) {
+  return data::key_named(task.x.parameter).effects.*effect ||
+         data::key_named(task.y.parameter).effects.*effect;
 }
 
 // Whether the cells have different beams, but for the direction of P. Some of them may be buckled and others not.
@@ -40,7 +41,8 @@ bool couples_modes(const MapTask& task) { return either(task, &data::KeyEffects:
 
 // How many values of an axis need separate evaluations of the force.
 std::size_t evaluations_along(const MapTask& task, const MapAxis& axis) {
-  return data::key_named(axis.parameter).effects.is_a_factor && task.quantities.empty() ? 1 : axis.values.size();
+  return data::key_named(axis.parameter).effects.is_a_factor && task.quantities.empty() ? 1
+                                                                                        : axis.values.size();
 }
 
 // The load factor P L²/EI, which determines the buckling state and the modes of the stick state.
@@ -48,8 +50,6 @@ double load_factor(const data::Beam& beam, double axial_force) {
   return axial_force * beam.length() * beam.length() / (beam.youngs_modulus() * beam.second_moment_of_area());
 }
 double load_factor(const data::Beam& beam) { return load_factor(beam, beam.axial_force()); }
-
-bool is_buckled(const data::Beam& beam) { return beam.axial_force() >= analytic::stick_buckling_load(beam); }
 
 data::Case case_at(const MapTask& task, std::size_t i, std::size_t j) {
   return with_value(with_value(task.problem, task.x.parameter, task.x.values[i]), task.y.parameter,
@@ -69,7 +69,7 @@ class Forces {
         lowest = std::min(lowest, load_factor(beam));
         highest = std::max(highest, load_factor(beam));
       }
-    highest = std::min(highest, just_below_buckling(case_at(task, 0, 0).beam()));
+    highest = std::min(highest, just_below_buckling(case_at(task, 0, 0)));
     if (lowest > 0.0 && lowest < highest) reactions_.tabulate(lowest, highest);
   }
 
@@ -98,8 +98,8 @@ class Forces {
   static std::array<std::size_t, 2> ends_of(const MapAxis& axis) { return {0, axis.values.size() - 1}; }
 
   // The same load factor for all beams. The first mode still has one or two correct digits there.
-  static double just_below_buckling(const data::Beam& beam) {
-    return load_factor(beam, analytic::stick_buckling_load(beam)) * (1.0 - 1e-12);
+  static double just_below_buckling(const data::Case& problem) {
+    return load_factor(problem.beam(), analytic::buckling_load(problem)) * (1.0 - 1e-12);
   }
 
   MapMethod method_;
@@ -110,8 +110,7 @@ class Forces {
 class Responses {
  public:
   explicit Responses(const MapTask& task) : task_(task) {
-    if (!varies_beam(task) && !couples_modes(task))
-      common_.emplace(response_model(case_at(task, 0, 0)));
+    if (!varies_beam(task) && !couples_modes(task)) common_.emplace(response_model(case_at(task, 0, 0)));
   }
 
   [[nodiscard]] MapEvaluation at(const data::Case& point) const {
@@ -237,7 +236,7 @@ void evaluate(const MapTask& task, std::span<const std::size_t> numbers, MapEval
     responses.emplace(task);
   const auto evaluation_at = [&](std::size_t number) -> MapEvaluation {
     const data::Case point = case_at(task, number % columns, number / columns);
-    if (may_be_buckled && is_buckled(point.beam())) return {.unit_force = {}, .state = std::nullopt};
+    if (may_be_buckled && analytic::is_buckled(point)) return {.unit_force = {}, .state = std::nullopt};
     analytic::require_contact(point.beam());
     if (responses) return responses->at(point);
     if (decide_only)

@@ -286,7 +286,7 @@ analytic::Bounds range_below_buckling(const data::Case& problem, std::string_vie
 }
 
 double buckling_value(const data::Case& problem, std::string_view parameter) {
-  if (parameter == "beam.axial_force") return analytic::stick_buckling_load(problem.beam());
+  if (parameter == "beam.axial_force") return analytic::buckling_load(problem);
   if (parameter != "beam.length")
     throw std::invalid_argument(std::string(parameter) +
                                 " is varied in a design, but must be beam.length or beam.axial_force");

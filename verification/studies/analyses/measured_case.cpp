@@ -11,10 +11,10 @@
 #include "stickslip/data/input_error.hpp"
 #include "stickslip/data/input_text.hpp"
 #include "studies/analyses/criterion_answer.hpp"
-#include "studies/analyses/natural_frequencies.hpp"
 #include "studies/analyses/slip_probability.hpp"
 #include "studies/common/parallel.hpp"
 #include "studies/common/problem_parameter.hpp"
+#include "studies/history/natural_frequencies.hpp"
 
 namespace stickslip::studies {
 

@@ -8,18 +8,15 @@
 #include <numbers>
 
 #include "stickslip/analytic/beam_contact_model.hpp"
-#include "stickslip/analytic/force_maximum.hpp"
-#include "stickslip/analytic/slip_modes.hpp"
-#include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/analytic/stick_reaction.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "studies/analyses/criterion_answer.hpp"
-#include "studies/analyses/natural_frequencies.hpp"
 #include "studies/analyses/squeal.hpp"
 #include "studies/common/discretisation.hpp"
 #include "studies/common/problem_parameter.hpp"
 #include "studies/history/contact_growth.hpp"
 #include "studies/history/history_convergence.hpp"
+#include "studies/history/natural_frequencies.hpp"
 
 namespace stickslip::studies {
 
@@ -34,34 +31,6 @@ constexpr double grown_response = 10.0;
 constexpr double allowed_growth = 36.0;  // of σ* T
 // The largest number of elements or modes for which growth_warning() computes σ*.
 constexpr int most_undamped_for_growth = 200, most_damped_for_growth = 50;
-
-struct FreeVibration {
-  double omega{}, share{};  // rad/s; of an estimate of max |f|
-};
-
-// Those of the first numerics.modes() modes of the undamped beam. max |f| is the largest of 2048 instants.
-std::vector<FreeVibration> free_vibrations(const data::Case& problem) {
-  constexpr int instants = 2048;
-  const double omega = angular_frequency(problem.excitation());
-  const auto reaction = analytic::modal_reaction(problem.beam(), problem.numerics.modes());
-  const double span = std::max({problem.numerics.duration(), 1.0 / problem.excitation().frequency_hz(),
-                                2.0 * pi / reaction.modes.front().angular_frequency});
-  const analytic::ForceMaximum force(reaction, omega, span);
-  double largest = 0.0;
-  for (int i = 1; i <= instants; ++i)
-    largest = std::max(largest, std::abs(force.value(std::fmod(i * std::numbers::phi, 1.0) * span)));
-  std::vector<FreeVibration> vibrations;
-  for (const auto& [natural, coefficient] : reaction.modes)
-    vibrations.push_back({natural, std::abs(coefficient * std::pow(omega, 3) /
-                                            ((omega - natural) * (omega + natural) * natural)) /
-                                       largest});
-  return vibrations;
-}
-
-double model_error(const data::Beam& beam, double slopes, double third_derivatives) {
-  const double radius_squared = beam.second_moment_of_area() / beam.area();
-  return std::sqrt(1.0 + radius_squared * (slopes + shear_flexibility * third_derivatives)) - 1.0;
-}
 
 bool is_about_frequencies(Inquiry inquiry) {
   return inquiry == Inquiry::stick_frequencies || inquiry == Inquiry::slip_frequencies;
@@ -165,45 +134,13 @@ void warn_of_step(const data::Case& problem, int mode, std::vector<Warning>& war
 
 }  // namespace
 
-double stick_model_error(const data::Beam& beam, int mode) {
-  const auto modes = analytic::stick_modes(beam, mode);
-  const auto& u = modes.back();
-  const auto integral = [&](auto derivative) {
-    return simpson_integral([&](double x) { return std::pow((u.*derivative)(x), 2); }, beam.length(), u);
-  };
-  return model_error(
-      beam, integral(&analytic::StickMode::slope) / u.norm_squared(),
-      integral(&analytic::StickMode::third_derivative) / integral(&analytic::StickMode::curvature));
-}
-
-// Slope and third derivative by partial integration, with U'''' = k U - p U'', U''(L) = 0 and U'''(L) = -χ p U'(L):
-//
-//     U'(L) = int U'',                    int U'² = U(L) U'(L) - int U U'',
-//     U'''(0) = U'''(L) - int U'''',      int U'''² = -U''(0) U'''(0) - int U'' U''''.
-double slip_model_error(const data::Beam& beam, int mode) {
-  const auto modes = analytic::slip_modes(beam, mode);
-  const auto& u = modes.back();
-  const double p = beam.axial_force() / (beam.youngs_modulus() * beam.second_moment_of_area());
-  const double k = std::pow(u.hyperbolic_wave_number() * u.trigonometric_wave_number(), 2);
-  const auto fourth = [&](double x) { return k * u.shape(x) - p * u.curvature(x); };
-  const auto integral = [&](auto&& function) { return simpson_integral(function, beam.length(), u); };
-  const double tip_slope = integral([&](double x) { return u.curvature(x); });
-  const double slopes =
-      u.shape(beam.length()) * tip_slope - integral([&](double x) { return u.shape(x) * u.curvature(x); });
-  const double third_derivatives =
-      u.curvature(0.0) * (beam.axial_direction() * p * tip_slope + integral(fourth)) -
-      integral([&](double x) { return u.curvature(x) * fourth(x); });
-  return model_error(beam, slopes / integral([&](double x) { return std::pow(u.shape(x), 2); }),
-                     third_derivatives / integral([&](double x) { return std::pow(u.curvature(x), 2); }));
-}
-
 double step_error(double spectral_radius, double omega, double time_step) {
   const auto exponent = generalized_alpha_exponent(spectral_radius, omega, time_step);
   return std::max(std::abs(exponent.imag() / omega - 1.0), -std::expm1(2.0 * pi * exponent.real() / omega));
 }
 
 int highest_mode_that_matters(const data::Case& problem) {
-  const auto vibrations = free_vibrations(problem);
+  const auto vibrations = analytic::free_vibrations(problem);
   for (std::size_t n = vibrations.size(); n > 1; --n)
     if (vibrations[n - 1].share > share_that_matters) return static_cast<int>(n);
   return 1;
@@ -212,11 +149,9 @@ int highest_mode_that_matters(const data::Case& problem) {
 double mesh_effect(const data::Case& problem, int elements) {
   const double element = problem.beam().length() / elements;
   double effect = mesh_frequency_error(problem.beam(), angular_frequency(problem.excitation()), element);
-  if (problem.beam().shear_stiffness() == 0.0)
-    effect +=
-        hermite_eigenvalue_error(problem.beam(), analytic::stick_modes(problem.beam(), 1).front(), element);
+  effect += hermite_stick_error(problem.beam(), element);
   effect = std::min(1.0, effect);
-  for (const auto& [omega, share] : free_vibrations(problem)) {
+  for (const auto& [omega, share] : analytic::free_vibrations(problem)) {
     const double decay = omega * problem.damping.ratio_at(omega);
     const double error = mesh_frequency_error(problem.beam(), omega, element),
                  time = std::min(problem.numerics.duration(), 1.0 / decay);
@@ -228,7 +163,7 @@ double mesh_effect(const data::Case& problem, int elements) {
 double row_effect(const data::Case& problem, double spacing) {
   const auto lost = [&](double omega) { return 1.0 - std::cos(std::min(pi, 0.5 * omega * spacing)); };
   double effect = lost(angular_frequency(problem.excitation()));
-  for (const auto& [omega, share] : free_vibrations(problem)) effect += share * lost(omega);
+  for (const auto& [omega, share] : analytic::free_vibrations(problem)) effect += share * lost(omega);
   return effect;
 }
 
@@ -278,8 +213,7 @@ std::optional<Warning> instability_warning(const data::Case& problem) {
 }
 
 std::optional<Warning> few_modes_warning(const data::Case& problem) {
-  const double load = problem.beam().axial_force();
-  if (!(load > 0.0 && load < analytic::stick_buckling_load(problem.beam()))) return std::nullopt;
+  if (!(problem.normal_force() > 0.0) || analytic::is_buckled(problem)) return std::nullopt;
   const auto truncated = analytic::evaluate_criterion(problem, 1e-4),
              all = analytic::criterion_with_all_modes(problem, 1e-4);
   if (!too_few_modes(truncated, all)) return std::nullopt;
@@ -294,7 +228,7 @@ std::optional<Warning> few_modes_warning(const data::Case& problem) {
 
 std::optional<Warning> coarse_mesh_warning(const data::Case& problem) {
   constexpr int most_elements = 10'000;
-  if (problem.beam().axial_force() >= analytic::stick_buckling_load(problem.beam())) return std::nullopt;
+  if (analytic::is_buckled(problem)) return std::nullopt;
   const double effect = mesh_effect(problem, problem.numerics.elements());
   if (effect <= allowed_model_error) return std::nullopt;
   int enough = problem.numerics.elements() + 1;
@@ -311,8 +245,7 @@ std::string shear_effect(const data::Case& problem) {
   const data::Case sheared = data::with(problem, with_shear(problem.beam()));
   const std::string choice =
       fmt::format("with beam.shear_stiffness = {:.3g} (k = 5/6, nu = 0.3)", sheared.beam().shear_stiffness());
-  if (problem.beam().axial_force() >= analytic::stick_buckling_load(sheared.beam()))
-    return choice + " the beam buckles";
+  if (analytic::is_buckled(sheared)) return choice + " the beam buckles";
   const auto without = analytic::criterion_with_all_modes(problem, 1e-4),
              with = analytic::criterion_with_all_modes(sheared, 1e-4);
   return fmt::format("{} |f_max| with all modes is {:.4g} N instead of {:.4g} N, and the verdict is {}{}",
@@ -559,7 +492,7 @@ std::optional<std::string> draw_back_warning(const data::Beam& beam, double draw
 
 std::vector<Warning> warnings_common_to(const data::Case& problem,
                                         const std::vector<std::string_view>& varied) {
-  if (problem.beam().axial_force() >= analytic::stick_buckling_load(problem.beam())) return {};
+  if (analytic::is_buckled(problem)) return {};
   const auto all_of = [&](auto property) {
     return std::ranges::all_of(varied,
                                [&](std::string_view key) { return property(data::key_named(key).effects); });

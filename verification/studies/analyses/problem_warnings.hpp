@@ -45,17 +45,6 @@ constexpr double least_resonance_distance = 0.1;
 /// A mode is relevant if its free vibration has more than this fraction of max |f|.
 constexpr double share_that_matters = 0.01;
 
-/// The relative amount by which Euler-Bernoulli theory overestimates a natural frequency of the stick or the
-/// slip state, for P much smaller than κ G A. Rotary inertia adds ρ I int U'² to the mass ρ A int
-/// U², and shear adds (EI)² int U'''²/(κ G A) to the flexibility. With r² = I/A and E/(κ G) = shear_flexibility
-///
-///     ω_EB/ω - 1 = √(1 + r² [int U'²/int U² + E/(κ G) int U'''²/int U''²]) - 1.
-///
-/// For half waves of wave number k this is √(1 + (k r)² (1 + E/(κ G))) - 1. Throws what stick_modes()
-/// and slip_modes() throw.
-[[nodiscard]] double stick_model_error(const data::Beam& beam, int mode);
-[[nodiscard]] double slip_model_error(const data::Beam& beam, int mode);
-
 /// The error of a free vibration of angular frequency ω (rad/s) by generalised-alpha with time_step (s):
 /// the larger of the relative frequency error and the relative loss of amplitude per period. For small ω
 /// h it is about (ω h)² (k_1 + k_2)/2, with k_1 and k_2 of discretisation.hpp.

@@ -53,9 +53,9 @@ class Verdicts {
     double lowest = std::numeric_limits<double>::infinity(), highest = 0.0;
     for (const auto& sample : values) {
       try {
-        const data::Beam beam = case_at(sample).beam();
-        analytic::require_contact(beam);
-        const double share = beam.axial_force() / analytic::stick_buckling_load(beam);
+        const data::Case problem = case_at(sample);
+        analytic::require_contact(problem.beam());
+        const double share = problem.normal_force() / analytic::buckling_load(problem);
         lowest = std::min(lowest, share);
         highest = std::max(highest, share);
       } catch (const data::InputError&) {
@@ -63,7 +63,7 @@ class Verdicts {
       }
     }
     const data::Beam& beam = problem_.beam();
-    const double buckling = analytic::stick_buckling_load(beam) * beam.length() * beam.length() /
+    const double buckling = analytic::buckling_load(problem_) * beam.length() * beam.length() /
                             (beam.youngs_modulus() * beam.second_moment_of_area());
     if (lowest <= highest && highest < most_tabulated)
       reactions_.tabulate(lowest * buckling, highest * buckling);

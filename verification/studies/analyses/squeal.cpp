@@ -14,8 +14,8 @@
 #include "stickslip/solver/beam_simulation.hpp"
 #include "stickslip/solver/sliding_stability.hpp"
 #include "studies/analyses/contact_response.hpp"
-#include "studies/analyses/natural_frequencies.hpp"
 #include "studies/common/problem_parameter.hpp"
+#include "studies/history/natural_frequencies.hpp"
 
 namespace stickslip::studies {
 

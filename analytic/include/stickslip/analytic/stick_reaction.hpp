@@ -91,4 +91,16 @@ struct ModesOfAll {
 /// The frequencies of the first `count` modes with their shares in the reaction, undamped, ascending.
 [[nodiscard]] std::vector<ModalForce> held_modes(const data::Case& problem, int count);
 
+/// One free vibration of the undamped beam with its tip held.
+struct FreeVibration {
+  double angular_frequency{};  ///< rad/s
+  double share{};              ///< its amplitude over the largest |f| of 2048 instants
+};
+/// Those of the first numerics.modes() modes.
+[[nodiscard]] std::vector<FreeVibration> free_vibrations(const data::Case& problem);
+
+/// The axial force at which the held beam buckles, N (stick_buckling_load()), and whether that of the case is so large or larger.
+[[nodiscard]] double buckling_load(const data::Case& problem);
+[[nodiscard]] bool is_buckled(const data::Case& problem);
+
 }  // namespace stickslip::analytic

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "studies/analyses/natural_frequencies.hpp"
+#include "studies/history/natural_frequencies.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +11,8 @@
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/analytic/timoshenko_modes.hpp"
 #include "stickslip/solver/modal_analysis.hpp"
+#include "studies/common/discretisation.hpp"
+#include "studies/common/problem_parameter.hpp"
 
 namespace stickslip::studies {
 
@@ -45,6 +47,11 @@ double slip_root_error(const data::Beam& beam, const analytic::SlipMode& mode) {
 
 std::vector<solver::FiniteElementMode> mesh_modes(const solver::BeamModel& model, TipSupport tip, int count) {
   return tip == TipSupport::free ? solver::slip_modes(model, count) : solver::stick_modes(model, count);
+}
+
+double model_error(const data::Beam& beam, double slopes, double third_derivatives) {
+  const double radius_squared = beam.second_moment_of_area() / beam.area();
+  return std::sqrt(1.0 + radius_squared * (slopes + shear_flexibility * third_derivatives)) - 1.0;
 }
 
 Shapes normalised(Shapes values, std::size_t modes) {
@@ -83,6 +90,43 @@ double mesh_frequency_error(const data::Beam& beam, double omega, double element
   const double stiffness = beam.youngs_modulus() * beam.second_moment_of_area();
   const double shear = beam.shear_stiffness() > 0.0 ? 60.0 * stiffness / beam.shear_stiffness() : 0.0;  // m²
   return mass * omega * omega / stiffness * l * l * (l * l + shear) / 1440.0;
+}
+
+double hermite_stick_error(const data::Beam& beam, double element_length) {
+  if (beam.shear_stiffness() > 0.0) return 0.0;
+  return hermite_eigenvalue_error(beam, analytic::stick_modes(beam, 1).front(), element_length);
+}
+
+double stick_model_error(const data::Beam& beam, int mode) {
+  const auto modes = analytic::stick_modes(beam, mode);
+  const auto& u = modes.back();
+  const auto integral = [&](auto derivative) {
+    return simpson_integral([&](double x) { return std::pow((u.*derivative)(x), 2); }, beam.length(), u);
+  };
+  return model_error(
+      beam, integral(&analytic::StickMode::slope) / u.norm_squared(),
+      integral(&analytic::StickMode::third_derivative) / integral(&analytic::StickMode::curvature));
+}
+
+// Slope and third derivative by partial integration, with U'''' = k U - p U'', U''(L) = 0 and U'''(L) = -χ p U'(L):
+//
+//     U'(L) = int U'',                    int U'² = U(L) U'(L) - int U U'',
+//     U'''(0) = U'''(L) - int U'''',      int U'''² = -U''(0) U'''(0) - int U'' U''''.
+double slip_model_error(const data::Beam& beam, int mode) {
+  const auto modes = analytic::slip_modes(beam, mode);
+  const auto& u = modes.back();
+  const double p = beam.axial_force() / (beam.youngs_modulus() * beam.second_moment_of_area());
+  const double k = std::pow(u.hyperbolic_wave_number() * u.trigonometric_wave_number(), 2);
+  const auto fourth = [&](double x) { return k * u.shape(x) - p * u.curvature(x); };
+  const auto integral = [&](auto&& function) { return simpson_integral(function, beam.length(), u); };
+  const double tip_slope = integral([&](double x) { return u.curvature(x); });
+  const double slopes =
+      u.shape(beam.length()) * tip_slope - integral([&](double x) { return u.shape(x) * u.curvature(x); });
+  const double third_derivatives =
+      u.curvature(0.0) * (beam.axial_direction() * p * tip_slope + integral(fourth)) -
+      integral([&](double x) { return u.curvature(x) * fourth(x); });
+  return model_error(beam, slopes / integral([&](double x) { return std::pow(u.shape(x), 2); }),
+                     third_derivatives / integral([&](double x) { return std::pow(u.curvature(x), 2); }));
 }
 
 namespace {

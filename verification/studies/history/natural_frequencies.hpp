@@ -36,6 +36,20 @@ struct EstimatedFrequency {
 /// β⁴ = ρA ω²/EI, and with shear ρA ω² l²/(24 k G A) more. That is the error above at P = 0.
 [[nodiscard]] double mesh_frequency_error(const data::Beam& beam, double omega, double element_length);
 
+/// That of the stiffness next to buckling: hermite_eigenvalue_error() of the first stick mode; 0 for a beam with shear.
+[[nodiscard]] double hermite_stick_error(const data::Beam& beam, double element_length);
+
+/// The relative amount by which Euler-Bernoulli theory overestimates a natural frequency of the stick or the
+/// slip state, for P much smaller than κ G A. Rotary inertia adds ρ I int U'² to the mass ρ A int
+/// U², and shear adds (EI)² int U'''²/(κ G A) to the flexibility. With r² = I/A and E/(κ G) = shear_flexibility
+///
+///     ω_EB/ω - 1 = √(1 + r² [int U'²/int U² + E/(κ G) int U'''²/int U''²]) - 1.
+///
+/// For half waves of wave number k this is √(1 + (k r)² (1 + E/(κ G))) - 1. Throws what stick_modes()
+/// and slip_modes() throw.
+[[nodiscard]] double stick_model_error(const data::Beam& beam, int mode);
+[[nodiscard]] double slip_model_error(const data::Beam& beam, int mode);
+
 /// The value of each mode at the points (m), divided by that of largest modulus: [point][mode].
 [[nodiscard]] std::vector<std::vector<double>> closed_form_shapes(const data::Beam& beam,
                                                                   analytic::TipSupport tip, int count,
