@@ -9,13 +9,6 @@
 
 namespace stickslip::solver {
 
-/// What a step must know of the contact.
-struct StepPhase {
-  data::ContactState state{data::ContactState::stick};
-  double direction{};    ///< in slip: d = +1 or -1
-  double wall_offset{};  ///< in stick: q[c] - w, m; of a contact that yields, the slider's, always
-};
-
 /// The equations of one step of the generalised-alpha method in a phase of the contact.
 class StepKernel {
  public:

@@ -46,7 +46,16 @@ struct IntegratorSettings {
   StepAlgebra algebra{StepAlgebra::sparse};
 };
 
-class ContactMotion;
+/// What a step must know of the contact.
+struct StepPhase {
+  data::ContactState state{data::ContactState::stick};
+  double direction{};    ///< in slip: d = +1 or -1
+  double wall_offset{};  ///< in stick: q[c] - w, m; of a contact that yields, the slider's, always
+};
+
+class FrictionContact;
+class HeldContact;
+class StepKernel;
 
 /// Time integration of a ContactSystem by the generalised-alpha method, on the grid t_n = n h, with contact
 /// changes located inside the step.
@@ -120,11 +129,11 @@ class StickSlipIntegrator {
   /// From now on calls the observer, or none if it is empty.
   void observe(Observer observer);
 
-  [[nodiscard]] double time() const noexcept;
-  [[nodiscard]] long steps() const noexcept;
-  [[nodiscard]] data::ContactState state() const noexcept;
-  [[nodiscard]] const Eigen::VectorXd& displacement() const noexcept;
-  [[nodiscard]] const Eigen::VectorXd& velocity() const noexcept;
+  [[nodiscard]] double time() const noexcept { return time_; }
+  [[nodiscard]] long steps() const noexcept { return steps_; }
+  [[nodiscard]] data::ContactState state() const noexcept { return phase_.state; }
+  [[nodiscard]] const Eigen::VectorXd& displacement() const noexcept { return now_.displacement; }
+  [[nodiscard]] const Eigen::VectorXd& velocity() const noexcept { return now_.velocity; }
   /// v_s, m/s; zero in stick, unless the contact yields.
   [[nodiscard]] double sliding_velocity() const;
   /// f_d on the system, N, at time().
@@ -133,12 +142,73 @@ class StickSlipIntegrator {
   [[nodiscard]] double holding_force() const;
   /// m_c = 1/(e_c · M⁻¹ e_c), kg.
   [[nodiscard]] double contact_mass() const noexcept;
-  [[nodiscard]] const std::vector<data::ContactEvent>& events() const noexcept;
-  [[nodiscard]] const ContactSystem& system() const noexcept;
+  [[nodiscard]] const std::vector<data::ContactEvent>& events() const noexcept { return events_; }
+  [[nodiscard]] const ContactSystem& system() const noexcept { return system_; }
 
  private:
-  std::unique_ptr<ContactMotion> motion_;
-  void (*advance_)(ContactMotion&, double end_time);
+  // Takes the motion towards end_time, the end of its grid step: there, or to a change of the contact.
+  using Scheme = void (StickSlipIntegrator::*)(double end_time);
+  [[nodiscard]] Scheme scheme() const;
+  void locate_changes(double end_time);
+  void change_at_the_end_of_steps(double end_time);
+  void step_as_the_paper(double end_time);
+  void take_step_to(double end_time);
+  void advance_stick(double end_time);
+  void advance_slip(double end_time);
+  void accept_slip_step(double end_time, double forward_velocity);
+  void decide_as_the_paper();
+  [[nodiscard]] double onset_time(double excess_now, double end_time, double excess_at_end);
+  [[nodiscard]] double rest_time(double end_time, double forward_velocity_at_end);
+  [[nodiscard]] double time_tolerance() const;
+
+  // The state at end_time, if the contact stays as it is, with its excess force, and d v_s, negative once the contact has
+  // come to rest.
+  const Kinematics& compute_trial_step(double end_time);
+  double trial_excess_force(double end_time);
+  double trial_forward_velocity(double end_time);
+  // The last trial step, which ends at new_time, becomes the state. In a contact that yields the slider follows, and a
+  // change is recorded: f_d does not jump, so that a change inside a step costs no order and is not located.
+  void accept_trial_step(double new_time);
+
+  // Changes of the contact at the present state, recorded as events; those of ContactScheme::paper have neither impulse
+  // nor restart. Settling, the contact is at rest on the wall, up to what the location left: stick if it can be held, else
+  // slip.
+  void leave_stick();
+  void settle_at_rest();
+  void overwrite_sliding_velocity();
+  void turn_to(double direction);
+
+  void start(const Eigen::VectorXd& displacement, const Eigen::VectorXd& velocity);
+  void begin_stick();
+  void begin_slip(double direction);
+  void begin_yielding();
+  void move_slider(double length);  // after a step of this length
+  void record(data::ContactChange change);
+  void notify() const;
+
+  [[nodiscard]] bool is_stuck() const noexcept { return phase_.state == data::ContactState::stick; }
+  [[nodiscard]] bool yields() const noexcept;
+  [[nodiscard]] double relative_velocity() const;  // v_s, whatever is left of it in stick
+  [[nodiscard]] double excess_force() const;       // above zero the contact cannot be held, N
+  [[nodiscard]] double position() const;           // q[c] - w
+
+  ContactSystem system_;  // to which the parts refer
+  IntegratorSettings settings_;
+  GeneralizedAlpha method_;
+  std::unique_ptr<const FrictionContact> contact_;
+  std::unique_ptr<const HeldContact> held_contact_;
+  std::unique_ptr<StepKernel> kernel_;
+  Scheme advance_;
+
+  Kinematics now_, trial_;
+  double time_{};
+  long steps_{};
+  StepPhase phase_;
+  int events_in_step_{};
+  std::vector<data::ContactEvent> events_;
+  // Of a contact that yields: f_d now, and f_d and time of the last α level.
+  double yielding_force_{}, alpha_level_force_{}, alpha_level_time_{};
+  Observer observer_;
 };
 
 }  // namespace stickslip::solver
