@@ -4,23 +4,16 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
+#include "stickslip/solver/base_motion.hpp"
 #include "stickslip/solver/decompositions.hpp"
 #include "stickslip/solver/held_tip_basis.hpp"
 #include "stickslip/solver/modal_stick_run.hpp"
 
 namespace stickslip::solver {
-
-PrescribedMotion harmonic_motion(const data::HarmonicExcitation& excitation) {
-  const double amplitude = excitation.amplitude();
-  const double omega = 2.0 * std::numbers::pi * excitation.frequency_hz();
-  return {.displacement = [=](double t) { return amplitude * std::sin(omega * t); },
-          .velocity = [=](double t) { return amplitude * omega * std::cos(omega * t); },
-          .acceleration = [=](double t) { return -amplitude * omega * omega * std::sin(omega * t); }};
-}
 
 namespace {
 
@@ -43,10 +36,10 @@ Eigen::MatrixXd modal_damping(const BeamModel& model, double ratio) {
 }  // namespace
 
 Coordinates fastest_coordinates(int elements, const data::Damping& damping, ContactScheme scheme) {
-  const bool damped = damping.kelvin_voigt() > 0.0 || damping.ratio() > 0.0;
   constexpr int most_modal_elements = 200;
-  return damped || scheme == ContactScheme::paper || elements > most_modal_elements ? Coordinates::nodal
-                                                                                    : Coordinates::modal;
+  return !damping.is_none() || scheme == ContactScheme::paper || elements > most_modal_elements
+             ? Coordinates::nodal
+             : Coordinates::modal;
 }
 
 SparseMatrix damping_matrix(const BeamModel& model, const data::Damping& damping) {
@@ -56,22 +49,26 @@ SparseMatrix damping_matrix(const BeamModel& model, const data::Damping& damping
   return matrix;
 }
 
-ContactSystem beam_contact_system(const BeamModel& model, const data::FrictionLaw& friction,
-                                  const PrescribedMotion& base, const data::Damping& damping,
-                                  const data::Wall& wall) {
-  return {
-      .mass = model.mass(),
-      .damping = damping_matrix(model, damping),
-      .stick_stiffness = model.stick_stiffness(),
-      .slip_stiffness = model.slip_stiffness(),
-      .load_shape = -model.base_load(),
-      .load_history = base.acceleration,
-      .contact = model.tip_deflection(),
-      .wall = {.displacement = [base, v = wall.speed()](double t) { return v * t - base.displacement(t); },
-               .velocity = [base, v = wall.speed()](double t) { return v - base.velocity(t); },
-               .acceleration = [base](double t) { return -base.acceleration(t); }},
-      .normal_force = std::max(model.beam().axial_force(), 0.0),
-      .friction = friction};
+ContactSystem beam_contact_system(const BeamModel& model, const data::Case& problem) {
+  return beam_contact_system(model, problem, base_motion(problem.motion));
+}
+
+ContactSystem beam_contact_system(const BeamModel& model, const data::Case& problem,
+                                  const PrescribedMotion& base) {
+  const double speed = problem.contact.wall.speed();
+  return {.mass = model.mass(),
+          .damping = damping_matrix(model, problem.damping),
+          .stick_stiffness = model.stick_stiffness(),
+          .slip_stiffness = model.slip_stiffness(),
+          .load_shape = -model.base_load(),
+          .load_history = base.acceleration,
+          .contact = model.tip_deflection(),
+          .wall = {.displacement = [base, speed](double t) { return speed * t - base.displacement(t); },
+                   .velocity = [base, speed](double t) { return speed - base.velocity(t); },
+                   .acceleration = [base](double t) { return -base.acceleration(t); }},
+          .normal_force = std::max(model.beam().axial_force(), 0.0),
+          .friction = problem.contact.friction,
+          .tangential = problem.contact.compliance};
 }
 
 namespace {
@@ -83,8 +80,8 @@ void require_contact(const data::Beam& beam, TipContact contact) {
 }
 
 void require_undamped(const data::Damping& damping) {
+  if (damping.is_none()) return;
   const bool viscous = damping.kelvin_voigt() > 0.0;
-  if (!viscous && damping.ratio() == 0.0) return;
   throw data::FieldError(viscous ? "damping.kelvin_voigt" : "damping.ratio",
                          viscous ? damping.kelvin_voigt() : damping.ratio(),
                          "0 in modal coordinates, which damping would couple");
@@ -137,27 +134,24 @@ BeamModel checked_model(const data::Beam& beam, int elements, TipContact contact
 
 BeamSimulation::BeamSimulation(const data::Case& problem, const BeamRun& run)
     : model_(checked_model(problem.beam(), problem.numerics.elements(), run.contact)),
-      base_(harmonic_motion(problem.excitation())) {
+      base_(base_motion(problem.motion)) {
   const Coordinates coordinates = coordinates_of(problem, run);
   const IntegratorSettings settings = integrator_settings(problem.numerics, run, coordinates);
   const Eigen::VectorXd at_rest = Eigen::VectorXd::Zero(model_.degrees_of_freedom());
-  Eigen::VectorXd velocity =
-      (problem.contact.wall.speed() - base_.velocity(0.0)) * model_.unit_tip_deflection();
+  ContactSystem system = beam_contact_system(model_, problem, base_);
+  Eigen::VectorXd velocity = system.wall.velocity(0.0) * model_.unit_tip_deflection();
   if (run.initial_velocity == InitialVelocity::zero)
     velocity.head(model_.tip_deflection()).setZero(), velocity[model_.tip_rotation()] = 0.0;
-  ContactSystem system =
-      beam_contact_system(model_, problem.contact.friction, base_, problem.damping, problem.contact.wall);
   if (coordinates == Coordinates::modal) {
     const HeldTipBasis basis = held_tip_basis(model_);
-    system = modal_contact_system(model_, basis, problem.contact.friction, base_, problem.contact.wall);
+    system = modal_contact_system(model_, basis, std::move(system));
     basis_.resize(model_.degrees_of_freedom(), model_.degrees_of_freedom());
     basis_ << basis.modes, basis.static_shape;
     velocity = modal_coordinates(model_, basis, velocity);
   }
   require_resolved_spring(problem.contact.compliance,
                           problem.contact.friction.static_coefficient() * system.normal_force,
-                          problem.excitation().amplitude());
-  system.tangential = problem.contact.compliance;
+                          largest_displacement(problem.motion));
   if (run.contact == TipContact::bonded) system.normal_force = bonding_force;
   integrator_ = std::make_unique<StickSlipIntegrator>(std::move(system), settings);
   midspan_ = weights_at(0.5 * problem.beam().length());
@@ -189,8 +183,7 @@ double max_abs_friction_force(const data::Case& problem, Coordinates coordinates
   const BeamRun run{.contact = TipContact::bonded, .coordinates = coordinates};
   const long steps = step_count(problem.numerics.duration(), problem.numerics.time_step());
   if (coordinates_of(problem, run) == Coordinates::modal)
-    return ModalStickRun(problem.beam(), problem.excitation(), problem.numerics)
-        .max_abs_friction_force(steps);
+    return ModalStickRun(problem).max_abs_friction_force(steps);
   BeamSimulation simulation(with(problem, data::FrictionLaw({}), data::TangentialContact(), data::Wall()),
                             run);
   double largest = std::abs(simulation.friction_force());

@@ -4,7 +4,6 @@
 #include <Eigen/Dense>
 #include <vector>
 
-#include "stickslip/solver/beam_simulation.hpp"
 #include "stickslip/solver/modal_analysis.hpp"
 
 namespace stickslip::solver {
@@ -46,10 +45,7 @@ Eigen::VectorXd modal_coordinates(const BeamModel& model, const HeldTipBasis& ba
   return coordinates;
 }
 
-ContactSystem modal_contact_system(const BeamModel& model, const HeldTipBasis& basis,
-                                   const data::FrictionLaw& friction, const PrescribedMotion& base,
-                                   const data::Wall& wall) {
-  const ContactSystem full = beam_contact_system(model, friction, base, {}, wall);
+ContactSystem modal_contact_system(const BeamModel& model, const HeldTipBasis& basis, ContactSystem system) {
   const Eigen::Index modes = basis.modes.cols(), tip = modes;
   const Eigen::VectorXd &sigma = basis.static_shape, inertia = model.mass() * sigma;
   const Eigen::VectorXd coupling = basis.modes.transpose() * inertia;
@@ -68,13 +64,13 @@ ContactSystem modal_contact_system(const BeamModel& model, const HeldTipBasis& b
   slip.insert(tip, tip) = stick.coeff(tip, tip) + follower_force * sigma[model.tip_rotation()];
   for (SparseMatrix* matrix : {&mass, &stick, &slip}) matrix->makeCompressed();
 
-  ContactSystem system = full;
+  Eigen::VectorXd load(modes + 1);
+  load << basis.modes.transpose() * system.load_shape, sigma.dot(system.load_shape);
   system.mass = mass;
   system.damping = SparseMatrix(modes + 1, modes + 1);
   system.stick_stiffness = stick;
   system.slip_stiffness = slip;
-  system.load_shape.resize(modes + 1);
-  system.load_shape << basis.modes.transpose() * full.load_shape, sigma.dot(full.load_shape);
+  system.load_shape = load;
   system.contact = tip;
   return system;
 }

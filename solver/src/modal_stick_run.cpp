@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 namespace stickslip::solver {
 
@@ -16,13 +15,11 @@ constexpr Eigen::Index blocks_at_a_time = 64;  // whose states fit into the cach
 
 }  // namespace
 
-ModalStickRun::ModalStickRun(const data::Beam& beam, const data::HarmonicExcitation& excitation,
-                             const data::NumericalSettings& numerics, InitialVelocity initial_velocity)
-    : model_(beam, numerics.elements()),
-      method_(numerics.spectral_radius()),
-      h_(numerics.time_step()),
-      amplitude_(excitation.amplitude()),
-      omega_(2.0 * std::numbers::pi * excitation.frequency_hz()),
+ModalStickRun::ModalStickRun(const data::Case& problem, InitialVelocity initial_velocity)
+    : model_(problem.beam(), problem.numerics.elements()),
+      method_(problem.numerics.spectral_radius()),
+      h_(problem.numerics.time_step()),
+      base_(shifted_motion(problem.motion)),
       basis_(held_tip_basis(model_)) {
   const Eigen::Index count = basis_.modes.cols();
   const Eigen::VectorXd& sigma = basis_.static_shape;
@@ -31,13 +28,15 @@ ModalStickRun::ModalStickRun(const data::Beam& beam, const data::HarmonicExcitat
   inverse_factor_ = 1.0 / (1.0 - method_.alpha_m() + share * method_.beta() * stiffness_);
   load_ = (h_ * h_) * (basis_.modes.transpose() * (model_.mass() * sigma - model_.base_load())).array();
 
-  // η = 0, and η_tt = 0 since h_tt(0) = 0.
+  // η = 0, and the acceleration with which the method starts (StickSlipIntegrator, "Restart").
+  const PrescribedMotion base = base_motion(problem.motion);
   start_ = Modes::Zero(count, 3);
+  start_.col(2) = (base.acceleration(0.0) * (1.0 - method_.alpha_m())) * load_ * inverse_factor_;
   if (initial_velocity == InitialVelocity::zero) {
     const Eigen::VectorXd tip_alone =
         Eigen::VectorXd::Unit(model_.degrees_of_freedom(), model_.tip_deflection());
     start_.col(1) =
-        (-h_ * amplitude_ * omega_) * modal_coordinates(model_, basis_, tip_alone).head(count).array();
+        (-h_ * base.velocity(0.0)) * modal_coordinates(model_, basis_, tip_alone).head(count).array();
   }
 
   // f = -f_d, f_d = [M q_tt + K_slip q + b h_tt]_w with q_tt eliminated by the other rows: the accelerations
@@ -66,10 +65,10 @@ ModalStickRun::Modes ModalStickRun::stepped(const Modes& state, double load) con
   return next;
 }
 
-// T^B and the outputs of a block, as factors of y = (x_1, x_2, x_3, sin(Ω t), cos(Ω t)) at its start.
+// T^B and the outputs of a block, as factors of y = (x_1, x_2, x_3, w_k(t)) at its start.
 struct ModalStickRun::Block {
   std::array<Modes, 3> of_state;
-  std::array<Modes, 2> of_load;
+  std::vector<Modes> of_load;
   Eigen::MatrixXd outputs;
 };
 
@@ -78,7 +77,7 @@ struct ModalStickRun::Block {
 ModalStickRun::Block ModalStickRun::block_of(const Output& output) const {
   const Eigen::Index modes = basis_.modes.cols();
   Block block;
-  block.outputs.resize(block_steps, 3 * modes + 2);
+  block.outputs.resize(block_steps, 3 * modes + static_cast<Eigen::Index>(base_.size()));
   for (int part = 0; part < 3; ++part) {
     Modes state = Modes::Zero(modes, 3);
     state.col(part).setOnes();
@@ -89,18 +88,17 @@ ModalStickRun::Block ModalStickRun::block_of(const Output& output) const {
     }
     block.of_state[static_cast<std::size_t>(part)] = state;
   }
-  for (const int part : {0, 1}) {  // by the phase of h at the start of the block: its sine, then its cosine
-    const double phase = part == 0 ? 0.5 * std::numbers::pi : 0.0;
+  for (Eigen::Index column = 3 * modes; const auto& [weight, motion] : base_) {
     Modes state = Modes::Zero(modes, 3);
     for (Eigen::Index j = 0; j < block_steps; ++j) {
       const double t = static_cast<double>(j) * h_;
-      const double base = amplitude_ * std::sin(omega_ * t + phase);
-      block.outputs(j, 3 * modes + part) = output.modal.dot(state.col(0).matrix()) + output.of_base * base -
-                                           output.of_acceleration * omega_ * omega_ * base;
-      const double load_time = method_.load_time(t, h_);
-      state = stepped(state, -amplitude_ * omega_ * omega_ * std::sin(omega_ * load_time + phase));
+      block.outputs(j, column) = output.modal.dot(state.col(0).matrix()) +
+                                 output.of_base * motion.displacement(t) +
+                                 output.of_acceleration * motion.acceleration(t);
+      state = stepped(state, motion.acceleration(method_.load_time(t, h_)));
     }
-    block.of_load[static_cast<std::size_t>(part)] = state;
+    block.of_load.push_back(state);
+    ++column;
   }
   return block;
 }
@@ -111,14 +109,17 @@ void ModalStickRun::march(const Output& output, long steps, Sink&& sink) const {
   const Eigen::Index modes = basis_.modes.cols();
   const Block block = block_of(output);
   Modes state = start_;
-  Eigen::MatrixXd starts(3 * modes + 2, blocks_at_a_time), outputs(block_steps, blocks_at_a_time);
+  Eigen::MatrixXd starts(block.outputs.cols(), blocks_at_a_time), outputs(block_steps, blocks_at_a_time);
   Eigen::Index left = steps + 1;
   for (long first = 0; left > 0;) {
     for (Eigen::Index b = 0; b < blocks_at_a_time; ++b, first += block_steps) {
-      const double phase = omega_ * (static_cast<double>(first) * h_);
-      const double sine = std::sin(phase), cosine = std::cos(phase);
-      starts.col(b) << state.matrix().reshaped(), sine, cosine;
-      Modes next = sine * block.of_load[0] + cosine * block.of_load[1];
+      starts.col(b).head(3 * modes) = state.matrix().reshaped();
+      Modes next = Modes::Zero(modes, 3);
+      for (std::size_t k = 0; k < base_.size(); ++k) {
+        const double weight = base_[k].weight(static_cast<double>(first) * h_);
+        starts(3 * modes + static_cast<Eigen::Index>(k), b) = weight;
+        next += weight * block.of_load[k];
+      }
       for (int part = 0; part < 3; ++part)
         next += block.of_state[static_cast<std::size_t>(part)].colwise() * state.col(part);
       state.swap(next);

@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "stickslip/analytic/stick_response.hpp"
+#include "stickslip/solver/base_motion.hpp"
 #include "stickslip/solver/beam_model.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "stickslip/solver/generalized_alpha.hpp"
@@ -135,7 +136,7 @@ EigenLoop loop(const solver::BeamModel& model, const data::HarmonicExcitation& e
   const solver::GeneralizedAlpha method(numerics.spectral_radius());
   const double h = numerics.time_step(), share = 1.0 - method.alpha_f();
   const Eigen::Index tip = model.tip_deflection();
-  const auto base = solver::harmonic_motion(excitation);
+  const auto base = solver::base_motion(excitation);
   const Eigen::VectorXd of_displacement = without_tip(Eigen::VectorXd(model.stick_stiffness().col(tip)));
   const Eigen::VectorXd of_acceleration =
       without_tip(Eigen::VectorXd(model.mass().col(tip) - model.base_load()));

@@ -115,11 +115,6 @@ void let_the_wall_move_with_the_base(StickSum& sum) {
   for (StickSum::Mode& mode : sum.modes) mode.participation = mode.rigid_participation;
 }
 
-solver::PrescribedMotion at_rest() {
-  const auto zero = [](double) { return 0.0; };
-  return {zero, zero, zero};
-}
-
 // Lumped masses after Hinton, Rock and Zienkiewicz: m l (1/2, l^2/78) at each end. The load is that of these
 // masses.
 void lump_the_mass(solver::ContactSystem& system, const solver::BeamModel& mesh) {
@@ -207,16 +202,17 @@ void take_the_relative_displacement(const data::Case& problem, Quantity quantity
   const bool is_velocity =
       quantity == stick_velocity || quantity == tip_velocity || quantity == midspan_velocity;
   if (!is_displacement && !is_velocity) return;
-  const solver::PrescribedMotion base = solver::harmonic_motion(problem.excitation());
+  const solver::PrescribedMotion base = solver::base_motion(problem.motion);
   for (std::size_t i = 0; i < values.size(); ++i)
     values[i] -= (is_velocity ? base.velocity : base.displacement)(abscissa[i]);
 }
 
-solver::PrescribedMotion cosine_motion(const data::HarmonicExcitation& excitation) {
-  const auto later = [period = 1.0 / excitation.frequency_hz()](const std::function<double(double)>& sine) {
-    return [sine, period](double t) { return sine(t + 0.25 * period); };
-  };
-  const solver::PrescribedMotion sine = solver::harmonic_motion(excitation);
+solver::PrescribedMotion cosine_motion(const data::Case& problem) {
+  const auto later =
+      [period = 1.0 / problem.excitation().frequency_hz()](const std::function<double(double)>& sine) {
+        return [sine, period](double t) { return sine(t + 0.25 * period); };
+      };
+  const solver::PrescribedMotion sine = solver::base_motion(problem.motion);
   return {later(sine.displacement), later(sine.velocity), later(sine.acceleration)};
 }
 
@@ -316,7 +312,7 @@ Recipes contact_force_mistakes() {
       {.wrong_model = {"wall-moves-with-base", "the tip sticks to the base: v_s is u_t instead of y_t",
                        "Eq. (3)", Quantities{participation} + held_motion + stick_slip},
        .equations = [](StickSum& sum, const data::Case&) { let_the_wall_move_with_the_base(sum); },
-       .mesh = [](solver::ContactSystem& system, const solver::BeamModel&) { system.wall = at_rest(); }},
+       .mesh = [](solver::ContactSystem& system, const solver::BeamModel&) { system.wall = {}; }},
       {.wrong_model = {"tip-clamped-in-stick", "the wall also prevents the rotation of the tip", "Eq. (3)",
                        Quantities{stick_frequency} + held_motion},
        .mesh =

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "comparison/diagnosis/wrong_models.hpp"
+#include "stickslip/solver/base_motion.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "studies/verification/stick_sum.hpp"
 
@@ -33,7 +34,8 @@ struct WrongModelRecipe {
   /// The scheme of the time integration of the modal equations.
   std::function<studies::ModalScheme(const data::Case&)> scheme{};
   /// The motion of the base in stick-slip. The run starts with the quasi-static shape to its displacement.
-  std::function<solver::PrescribedMotion(const data::HarmonicExcitation&)> base{solver::harmonic_motion};
+  std::function<solver::PrescribedMotion(const data::Case&)> base{
+      [](const data::Case& problem) { return solver::base_motion(problem.motion); }};
   /// The duration (s) over which |f_max| is searched.
   std::function<double(const data::Case&)> observed_for{};
   studies::Start start{studies::Start::quasi_static};

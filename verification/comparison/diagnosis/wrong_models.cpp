@@ -85,7 +85,7 @@ MeshedBeam meshed_beam(const WrongModelRecipe& model, const data::Case& problem,
   solver::BeamModel mesh(problem.beam(), problem.numerics.elements());
   solver::require_stable_stick_state(mesh);
   solver::ContactSystem system = solver::beam_contact_system(
-      mesh, problem.contact.friction, model.base(problem.excitation()), problem.damping);
+      mesh, with(problem, data::TangentialContact(), data::Wall()), model.base(problem));
   system.normal_force = normal_force;
   if (model.mesh) model.mesh(system, mesh);
   return {std::move(mesh), std::move(system)};
@@ -311,7 +311,7 @@ std::shared_ptr<const studies::TipRun> kept_run(const WrongModelRecipe& model, c
     if (const auto found = kept.find(key); found != kept.end()) return found->second;
   }
   const MeshedBeam beam = meshed_beam(model, problem, normal_force);
-  const auto base = model.base(problem.excitation());
+  const auto base = model.base(problem);
   auto run = std::make_shared<const studies::TipRun>(
       model.law ? studies::tip_run(beam.system, base, problem.numerics, *model.law, end, events)
                 : studies::tip_run(beam.system, base, problem.numerics, model.start, end, events));

@@ -273,9 +273,8 @@ std::optional<Warning> growth_warning(const data::Case& problem, Inquiry inquiry
     return std::nullopt;
   const auto contact = [&] {
     if (!stepped) return continuous_contact(analytic::BeamContactModel(problem, numerics.modes()).model());
-    const auto system = solver::beam_contact_system(
-        solver::BeamModel(problem.beam(), numerics.elements()), problem.contact.friction,
-        solver::harmonic_motion(problem.excitation()), problem.damping);
+    const auto system =
+        solver::beam_contact_system(solver::BeamModel(problem.beam(), numerics.elements()), problem);
     return stepped_contact(solver::ContactMobility(system), numerics.time_step(), numerics.spectral_radius());
   }();
   const double kappa = weakening(problem.contact.friction, problem.beam().axial_force());

@@ -37,11 +37,8 @@ void require_dense_mesh(const data::NumericalSettings& numerics) {
 
 // The slip state as it slides.
 solver::ContactSystem mesh_of(const data::Case& problem, int elements) {
-  return solver::beam_contact_system(
-      solver::BeamModel(problem.beam(), elements), problem.contact.friction,
-      solver::harmonic_motion(
-          data::HarmonicExcitation({.frequency_hz = problem.excitation().frequency_hz(), .amplitude = 0.0})),
-      problem.damping, problem.contact.wall);
+  const solver::PrescribedMotion base_at_rest;
+  return solver::beam_contact_system(solver::BeamModel(problem.beam(), elements), problem, base_at_rest);
 }
 
 SquealMode mode_of(const data::Case& problem, const analytic::SlidingMode& mode,

@@ -6,6 +6,7 @@
 #include "stickslip/analytic/beam_boundary_integral.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/analytic/tip_mobility.hpp"
+#include "stickslip/solver/base_motion.hpp"
 #include "studies/common/convergence.hpp"
 #include "studies/common/problem_parameter.hpp"
 #include "studies/history/contact_growth.hpp"
@@ -29,7 +30,7 @@ History history_of(const data::Case& problem, const Sampling& sampling,
   if (sampling.with_midspan) positions.push_back(0.5 * problem.beam().length());
   std::vector<std::vector<double>> motions;
   for (const double x : positions) motions.push_back(run.displacement(x, steps_per_row));
-  const double omega = angular_frequency(problem.excitation());
+  const solver::PrescribedMotion base = solver::base_motion(problem.motion);
   History history;
   // A step obeys the law, and a row is the mean of two.
   for (const analytic::ContactStep& step : run.steps())
@@ -42,7 +43,7 @@ History history_of(const data::Case& problem, const Sampling& sampling,
     const auto n = static_cast<std::size_t>(step);
     HistoryRow row = contact_between(run.steps(), n * steps_per_row);
     row.time = time;
-    row.base_displacement = problem.excitation().amplitude() * std::sin(omega * time);
+    row.base_displacement = base.displacement(time);
     row.tip_displacement = tip[n];
     if (sampling.with_midspan) row.midspan_displacement = motions.back()[n];
     for (std::size_t k = 0; k < sampling.positions.size(); ++k) row.displacement.push_back(motions[k][n]);

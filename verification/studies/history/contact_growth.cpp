@@ -182,15 +182,13 @@ solver::ContactSystem contact_system(const analytic::ContactModel& model) {
     for (Eigen::Index i = 0; i <= modes; ++i)
       for (Eigen::Index j = 0; j <= modes; ++j)
         damping(i, j) = model.damping(static_cast<std::size_t>(i), static_cast<std::size_t>(j));
-  const auto at_rest = [](double) { return 0.0; };
   return {.mass = mass.sparseView(),
           .damping = damping.sparseView(),
           .stick_stiffness = stiffness.sparseView(),
           .slip_stiffness = (stiffness + follower).sparseView(),
           .load_shape = Eigen::VectorXd::Zero(modes + 1),
-          .load_history = at_rest,
+          .load_history = [](double) { return 0.0; },
           .contact = modes,
-          .wall = {at_rest, at_rest, at_rest},
           .normal_force = model.normal_force,
           .friction = model.friction};
 }

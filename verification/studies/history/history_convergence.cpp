@@ -152,8 +152,7 @@ solver::ContactSystem system_of(const data::Case& problem, const solver::BeamMod
                                 double radiating_share) {
   const data::HarmonicExcitation excitation(
       {problem.excitation().frequency_hz(), problem.excitation().amplitude() * (1.0 + change)});
-  const auto system =
-      solver::beam_contact_system(mesh, problem.contact.friction, solver::harmonic_motion(excitation));
+  const auto system = solver::beam_contact_system(mesh, with(problem, excitation, data::Damping()));
   if (radiating_share == 0.0) return system;
   const data::Beam& beam = problem.beam();
   return with_radiating_contact(

@@ -99,10 +99,8 @@ Eigen::VectorXd FiniteElementContactModel::full(const std::vector<double>& ampli
 
 analytic::ContactModel finite_element_contact_model(const data::Case& problem, int elements) {
   const solver::BeamModel mesh(problem.beam(), elements);
-  const solver::PrescribedMotion base = solver::harmonic_motion(problem.excitation());
-  return FiniteElementContactModel(
-             solver::beam_contact_system(mesh, problem.contact.friction, base, problem.damping),
-             angular_frequency(problem.excitation()))
+  return FiniteElementContactModel(solver::beam_contact_system(mesh, problem),
+                                   angular_frequency(problem.excitation()))
       .model();
 }
 

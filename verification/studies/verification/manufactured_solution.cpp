@@ -222,16 +222,17 @@ double difference(const Problem& problem, const solver::BeamModel& model, const 
 // the opposite sign.
 solver::ContactSystem contact_system(const Problem& problem, const solver::BeamModel& model,
                                      const Eigen::VectorXd& load) {
-  const solver::PrescribedMotion none = solver::harmonic_motion(data::HarmonicExcitation({1.0, 0.0}));
   const double tip = problem.phi(0, problem.length), force = problem.tip_force();
-  solver::ContactSystem system = solver::beam_contact_system(
-      model,
-      data::FrictionLaw(
-          {.static_coefficient = static_coefficient, .kinetic_coefficient = 0.0, .decay = friction_decay}),
-      none, data::Damping({.kelvin_voigt = problem.eta}));
-  system.load_shape = load;
-  system.load_history = [problem](double t) { return problem.history(0, t); };
-  system.normal_force = 0.0;
+  solver::ContactSystem system{
+      .mass = model.mass(),
+      .damping = solver::damping_matrix(model, data::Damping({.kelvin_voigt = problem.eta})),
+      .stick_stiffness = model.stick_stiffness(),
+      .slip_stiffness = model.slip_stiffness(),
+      .load_shape = load,
+      .load_history = [problem](double t) { return problem.history(0, t); },
+      .contact = model.tip_deflection(),
+      .friction = data::FrictionLaw(
+          {.static_coefficient = static_coefficient, .kinetic_coefficient = 0.0, .decay = friction_decay})};
   const double direction = problem.tip == ManufacturedTip::friction && force > 0.0 ? 1.0 : -1.0;
   double speed = 0.0, acceleration = 0.0;  // of the wall relative to the tip
   if (problem.tip == ManufacturedTip::slip) speed = far_wall_speed;

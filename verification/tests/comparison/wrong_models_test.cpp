@@ -7,6 +7,7 @@
 #include "stickslip/analytic/damped_steady_state.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/analytic/stick_response.hpp"
+#include "stickslip/solver/base_motion.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "studies/common/discretisation.hpp"
 #include "studies/common/problem_parameter.hpp"
@@ -269,8 +270,7 @@ TEST(WrongModelEffects, AreOfHeldAndSlidingBeam) {
   // u = y - h leaves out h, over the duration.
   const RightResult right{problem, tip_displacement, steps_to(0.07, 200)};
   Values base;
-  for (const double t : right.abscissa)
-    base.push_back(solver::harmonic_motion(problem.excitation()).displacement(t));
+  for (const double t : right.abscissa) base.push_back(solver::base_motion(problem.motion).displacement(t));
   EXPECT_TRUE(within(of("relative-displacement").tip_displacement.value(),
                      right.distance(base, Values(200, 0.0)), round_off(1e3, 1.0, 1.0)));
 }
@@ -500,7 +500,7 @@ TEST(WrongModel, HasTheStepsThatItsNameSays) {
 TEST(WrongModel, HasTheMistakeThatItsNameSays) {
   const data::Case problem = paper_case(0.1);
   const solver::BeamModel mesh(problem.beam(), 4);
-  auto system = solver::beam_contact_system(mesh, problem.contact.friction, at_rest(), kelvin_voigt(6e-5));
+  auto system = solver::beam_contact_system(mesh, with(problem, kelvin_voigt(6e-5)));
   comparison::recipe_of("mass-proportional-damping").mesh(system, mesh);
   const double first = analytic::stick_modes(problem.beam(), 1).front().angular_frequency();
   const Eigen::MatrixXd expected = 6e-5 * first * first * Eigen::MatrixXd(mesh.mass());
@@ -559,8 +559,8 @@ TEST(WrongModel, OfAMassOnABeltRunsByEitherMethod) {
   const Values expected{0.4, 0.4 + slip, 0.4 + slip + stick, 0.4 + 2.0 * slip + stick};
   const auto& law = *comparison::recipe_of("kinetic-friction-at-once").law;
   constexpr auto start = studies::Start::quasi_static;
-  for (const auto& run : {studies::tip_run(system, at_rest(), numerics, start, 10.0, 4),
-                          studies::tip_run(system, at_rest(), numerics, law, 10.0, 4)}) {
+  for (const auto& run : {studies::tip_run(system, {}, numerics, start, 10.0, 4),
+                          studies::tip_run(system, {}, numerics, law, 10.0, 4)}) {
     ASSERT_EQ(run.events.size(), 4u);
     const Tolerance late = discretisation(4e-4, 1.0, "four changes, each late by a substep of 0.1 ms");
     for (std::size_t i = 0; i < 4; ++i) EXPECT_TRUE(within(run.events[i], expected[i], late));
@@ -588,7 +588,7 @@ TEST(WrongModel, IsThePartOfTheForceThatIsLeft) {
   const RightResult force = strip_force();
   const data::Beam& beam = force.problem.beam();
   const Values support = force.of("base-load-left-out"), load = force.of("wall-moves-with-base");
-  const auto base = solver::harmonic_motion(force.problem.excitation());
+  const auto base = solver::base_motion(force.problem.motion);
   const double quasi_static =
       rigidity(beam) * analytic::QuasiStaticShape(beam).third_derivative(beam.length());
   Values sum, difference, completed = force.of("quasi-static-part-left-out");

@@ -167,10 +167,7 @@ Columns on_a_mesh(const data::Case& problem, int elements, const data::Reference
   const solver::BeamModel mesh(problem.beam(), elements);
   const double omega = 2.0 * std::numbers::pi * problem.excitation().frequency_hz();
   const double amplitude = problem.excitation().amplitude(), length = problem.beam().length();
-  const studies::FiniteElementContactModel contact(
-      solver::beam_contact_system(mesh, problem.contact.friction,
-                                  solver::harmonic_motion(problem.excitation()), problem.damping),
-      omega);
+  const studies::FiniteElementContactModel contact(solver::beam_contact_system(mesh, problem), omega);
   analytic::EventDriven run(contact.model());
   Columns columns;
   for (std::size_t row = 0; row < table.rows() && table.column("time").values[row] <= last; ++row) {
@@ -388,8 +385,7 @@ TEST(PublishedForces, AreThoseOfFiniteElements) {
     const double modes = analytic::StickResponse(problem.beam(), excitation, 200, analytic::SteadyPart::exact)
                              .max_abs_friction_force(10.0)
                              .midpoint(),
-                 mesh = solver::ModalStickRun(problem.beam(), excitation, problem.numerics)
-                            .max_abs_friction_force(100'000);
+                 mesh = solver::ModalStickRun(with(problem, excitation)).max_abs_friction_force(100'000);
     EXPECT_TRUE(within(modes, value, reference(table.radius_of("friction_force")[row], "the data set")))
         << hz;
     EXPECT_TRUE(within(mesh, value, reference(1e-2 * value, "the data set, for meshes"))) << hz;

@@ -15,9 +15,8 @@ namespace {
 using Complex = std::complex<double>;
 
 solver::ContactSystem beam_system(int elements, const data::Damping& damping = {}) {
-  return solver::beam_contact_system(solver::BeamModel(paper_beam(), elements), paper_friction(),
-                                     solver::harmonic_motion(data::HarmonicExcitation({25.0, 1e-3})),
-                                     damping);
+  return solver::beam_contact_system(solver::BeamModel(paper_beam(), elements),
+                                     with(paper_problem(25.0, 1e-3), damping));
 }
 
 const data::Damping light({.kelvin_voigt = 6.4e-5});

@@ -143,7 +143,6 @@ MeshErrors critical_loads(const data::Beam& beam, RandomNumbers& numbers) {
 /// J_h - J = -B(v - v_h, u - u_h) of the flexibility J = Y/s, u and v under a force 1 at the tip.
 MeshErrors tip_mobility(const data::Beam& any, RandomNumbers& numbers) {
   const data::Beam beam = sliding(any, numbers);
-  const auto base = solver::harmonic_motion(shaking(1.0));
   const double unit = frequency_unit(beam);
   MeshErrors errors;
   for (const double magnitude : {1e-3, numbers.log_uniform(0.1, 3.0), numbers.log_uniform(3.0, 40.0)})
@@ -157,7 +156,8 @@ MeshErrors tip_mobility(const data::Beam& any, RandomNumbers& numbers) {
       error.constant *= -s * std::pow(beam.length(), 3) / theory.rigidity() / exact;
       error.on_mesh = [=](int n) {
         const solver::BeamModel mesh(beam, n);
-        const auto system = solver::beam_contact_system(mesh, paper_friction(), base, kelvin_voigt(eta));
+        const auto system =
+            solver::beam_contact_system(mesh, with(paper_problem(1.0, 1e-3), beam, kelvin_voigt(eta)));
         return solver::ContactMobility(system)(s) / exact - 1.0;
       };
       errors.push_back(error);

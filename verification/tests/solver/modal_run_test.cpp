@@ -32,14 +32,13 @@ struct History {
 };
 
 // f and u(L/2) by the plain loop.
-History plain_history(const data::Beam& beam, const data::HarmonicExcitation& excitation,
-                      const data::NumericalSettings& numerics, InitialVelocity initial_velocity, long steps) {
-  BeamSimulation run(with(paper_problem(25.0, 1e-3), beam, excitation, numerics),
-                     {.contact = TipContact::bonded, .initial_velocity = initial_velocity});
+History plain_history(const data::Case& problem, InitialVelocity initial_velocity, long steps) {
+  BeamSimulation run(problem, {.contact = TipContact::bonded, .initial_velocity = initial_velocity});
   History history;
   const auto note = [&] {
     history.force.push_back(run.friction_force());
-    history.displacement.push_back(run.displacement(0.49 * beam.length()) - run.base_displacement());
+    history.displacement.push_back(run.displacement(0.49 * problem.beam().length()) -
+                                   run.base_displacement());
   };
   for (note(); run.integrator().steps() < steps; note()) run.step();
   return history;
@@ -63,10 +62,9 @@ TEST(ModalStickRun, ReproducesTheNodalHistory) {
         SCOPED_TRACE(fmt::format("radius {}, {} elements, P = {}", radius, elements, axial_force));
         constexpr long steps = 2000;
         const data::Beam beam = paper_beam_with_axial_force(axial_force);
-        const auto excitation = shaking(35.0, 0.5e-3);
-        const auto numerics = settings(elements, radius);
-        const History plain = plain_history(beam, excitation, numerics, velocity, steps);
-        const ModalStickRun run(beam, excitation, numerics, velocity);
+        const data::Case problem = with(paper_problem(35.0, 0.5e-3), beam, settings(elements, radius));
+        const History plain = plain_history(problem, velocity, steps);
+        const ModalStickRun run(problem, velocity);
         const auto force = run.friction_force(steps);
         ASSERT_EQ(force.size(), plain.force.size());
         EXPECT_TRUE(within(studies::largest_difference(force, plain.force), 0.0,
@@ -79,7 +77,7 @@ TEST(ModalStickRun, ReproducesTheNodalHistory) {
 
 TEST(ModalStickRun, MaximumIsThatOfItsHistory) {
   // Blocks of 64 steps, 64 blocks at a time: the ends around a whole one of each.
-  const ModalStickRun run(paper_beam(), shaking(35.0, 0.5e-3), settings(6, 0.9));
+  const ModalStickRun run(with(paper_problem(35.0, 0.5e-3), settings(6, 0.9)));
   const auto whole = run.friction_force(9000);
   for (const long steps : {0L, 1L, 62L, 63L, 64L, 65L, 4094L, 4095L, 4096L, 4097L, 9000L}) {
     const std::vector<double> part(whole.begin(), whole.begin() + steps + 1);
@@ -89,8 +87,9 @@ TEST(ModalStickRun, MaximumIsThatOfItsHistory) {
 }
 
 TEST(ModalStickRun, RefusesABuckledBeam) {
-  EXPECT_THROW(ModalStickRun(paper_beam_with_axial_force(90000.0), shaking(35.0, 1e-3), settings(4, 0.9)),
-               data::InputError);
+  EXPECT_THROW(
+      ModalStickRun(with(paper_problem(35.0, 1e-3), paper_beam_with_axial_force(90000.0), settings(4, 0.9))),
+      data::InputError);
 }
 
 // The beam of the paper where it slips.
@@ -157,14 +156,13 @@ TEST(ModalSteps, RefusesDampingAndCoupling) {
         << message;
   }
   const BeamModel model(paper_beam(), 4);
-  const auto nodal =
-      beam_contact_system(model, paper_friction(), solver::harmonic_motion(shaking(25.0, 1e-3)));
+  const auto nodal = beam_contact_system(model, paper_problem(25.0, 1e-3));
   const solver::IntegratorSettings modal_steps{
       .time_step = 1e-4, .spectral_radius = 0.9, .algebra = solver::StepAlgebra::modal};
   EXPECT_THROW(solver::StickSlipIntegrator(nodal, modal_steps), std::invalid_argument);
 
-  const solver::ContactSystem modal = solver::modal_contact_system(
-      model, solver::held_tip_basis(model), paper_friction(), solver::harmonic_motion(shaking(25.0, 1e-3)));
+  const solver::ContactSystem modal =
+      solver::modal_contact_system(model, solver::held_tip_basis(model), nodal);
   const auto refuses = [&](solver::SparseMatrix solver::ContactSystem::*matrix, Eigen::Index column) {
     solver::ContactSystem coupled = modal;
     (coupled.*matrix).coeffRef(0, column) = 1e-3;

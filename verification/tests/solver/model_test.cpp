@@ -5,6 +5,7 @@
 #include <Eigen/Dense>
 #include <Eigen/Eigenvalues>
 
+#include "stickslip/solver/base_motion.hpp"
 #include "stickslip/solver/beam_element.hpp"
 #include "stickslip/solver/beam_model.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
@@ -108,11 +109,12 @@ STICKSLIP_VERIFIES(BeamSimulation, "F7");
 TEST(BeamSimulation, HandsOnItsNumerics) {
   solver::BeamSimulation simulation(coarse_case(slipping_excitation));
   const solver::BeamModel model(paper_beam(), 8);
-  const solver::PrescribedMotion base = solver::harmonic_motion(slipping_excitation);
+  const data::Case problem = coarse_case(slipping_excitation);
   solver::StickSlipIntegrator integrator(
-      solver::beam_contact_system(model, paper_friction(), base),
+      solver::beam_contact_system(model, problem),
       {.time_step = 1e-4, .spectral_radius = 0.5, .velocity_threshold = 1e-2});
-  integrator.start_stuck(Eigen::VectorXd::Zero(16), -base.velocity(0.0) * model.unit_tip_deflection());
+  integrator.start_stuck(Eigen::VectorXd::Zero(16),
+                         -solver::base_motion(problem.motion).velocity(0.0) * model.unit_tip_deflection());
   for (int n = 0; n < 2000; ++n) {
     simulation.step();
     integrator.step();
@@ -136,11 +138,9 @@ TEST(BeamSimulation, IsInTheFixedFrame) {
 }
 
 TEST(BeamSimulation, IsPressedByCompressionOnly) {
-  const solver::PrescribedMotion base =
-      solver::harmonic_motion(data::HarmonicExcitation({.frequency_hz = 10.0, .amplitude = 1e-3}));
   for (const double axial_force : {-400.0, 0.0, 250.0}) {
     const solver::BeamModel model(paper_beam_with_axial_force(axial_force), 2);
-    EXPECT_EQ(solver::beam_contact_system(model, paper_friction(), base).normal_force,
+    EXPECT_EQ(solver::beam_contact_system(model, paper_problem(10.0, 1e-3)).normal_force,
               std::max(axial_force, 0.0));
   }
 }

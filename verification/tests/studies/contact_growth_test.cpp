@@ -25,8 +25,7 @@ Tolerance searched(double expected) { return discretisation(1e-4 * expected, 1.0
 data::Case paper_case() { return with(data::load_case("paper"), data::HarmonicExcitation({25.0, 1e-3})); }
 
 solver::ContactSystem mesh_system(int elements) {
-  return solver::beam_contact_system(solver::BeamModel(paper_beam(), elements), paper_friction(),
-                                     solver::harmonic_motion(data::HarmonicExcitation({25.0, 1e-3})));
+  return solver::beam_contact_system(solver::BeamModel(paper_beam(), elements), paper_problem(25.0, 1e-3));
 }
 
 solver::ContactMobility mesh(int elements) { return solver::ContactMobility(mesh_system(elements)); }

@@ -30,9 +30,7 @@ data::Case reed(const std::vector<data::Override>& overrides = {}) {
 data::Case viscous_reed() { return reed({{"damping.ratio", "0.0"}, {"damping.kelvin_voigt", "1.27e-5"}}); }
 
 solver::ContactSystem mesh_of(const data::Case& problem, int elements) {
-  return solver::beam_contact_system(solver::BeamModel(problem.beam(), elements), problem.contact.friction,
-                                     solver::harmonic_motion(problem.excitation()), problem.damping,
-                                     problem.contact.wall);
+  return solver::beam_contact_system(solver::BeamModel(problem.beam(), elements), problem);
 }
 
 std::vector<double> free_frequencies(const data::Case& problem, int count) {
@@ -59,8 +57,9 @@ TEST(SteadySliding, DeflectionIsThatOfTheMesh) {
         within(steady.friction_force, -4000.0 * (0.3 + 0.3 * std::exp(-0.2)), round_off(5, 1, 4000.0)));
     std::vector<double> errors;
     for (const int elements : {4, 8}) {
-      const auto system = solver::beam_contact_system(solver::BeamModel(beam, elements), paper_friction(),
-                                                      at_rest(), {}, wall);
+      const auto system = solver::beam_contact_system(solver::BeamModel(beam, elements),
+                                                      with(paper_problem(25.0, 1e-3), beam, wall),
+                                                      solver::PrescribedMotion());
       errors.push_back(std::abs(solver::steady_contact_displacement(system, steady.friction_force) /
                                     steady.tip_displacement -
                                 1.0));

@@ -11,6 +11,7 @@
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/data/key.hpp"
+#include "stickslip/solver/base_motion.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "stickslip/solver/modal_analysis.hpp"
 #include "support/random_beams.hpp"
@@ -143,8 +144,7 @@ std::unique_ptr<solver::StickSlipIntegrator> started(
     const data::Case& problem, const solver::PrescribedMotion& base,
     const solver::IntegratorSettings& settings, solver::TipContact contact = solver::TipContact::friction) {
   const solver::BeamModel model(problem.beam(), mesh_elements);
-  solver::ContactSystem system =
-      solver::beam_contact_system(model, problem.contact.friction, base, problem.damping);
+  solver::ContactSystem system = solver::beam_contact_system(model, problem, base);
   if (contact == solver::TipContact::bonded) system.normal_force = solver::bonding_force;
   auto integrator = std::make_unique<solver::StickSlipIntegrator>(system, settings);
   integrator->start_stuck(Eigen::VectorXd::Zero(model.degrees_of_freedom()),
@@ -256,7 +256,7 @@ std::vector<Quantity> band_maximum(const Scene& scene) {
 std::vector<Quantity> stepped_reaction(const Scene& scene) {
   const auto numerics = settings(scene.problem, 0.7);
   const auto run =
-      started(scene.problem, solver::harmonic_motion(scene.problem.excitation()),
+      started(scene.problem, solver::base_motion(scene.problem.motion),
               {.time_step = numerics.time_step(), .spectral_radius = 0.9}, solver::TipContact::bonded);
   for (long n = solver::step_count(numerics.duration(), numerics.time_step()); n > 0; --n) run->step();
   std::vector<Quantity> quantities{{run->friction_force(), force}};
@@ -293,11 +293,11 @@ History stepped_history(const Scene& scene) {
   const double time_step =
       0.25 * numerics.time_step();  // as long as the law of friction of every beam allows
   const double speed = 2.0 * pi * problem.excitation().frequency_hz() * problem.excitation().amplitude();
-  const auto run = started(
-      problem, multiplied(solver::harmonic_motion(problem.excitation()), scene.is_mirrored ? -1.0 : 1.0),
-      {.time_step = time_step,
-       .spectral_radius = 0.9,
-       .velocity_threshold = scene.has_threshold ? 0.01 * speed : 0.0});
+  const auto run =
+      started(problem, multiplied(solver::base_motion(problem.motion), scene.is_mirrored ? -1.0 : 1.0),
+              {.time_step = time_step,
+               .spectral_radius = 0.9,
+               .velocity_threshold = scene.has_threshold ? 0.01 * speed : 0.0});
   const solver::BeamModel model(problem.beam(), mesh_elements);
   const long steps = solver::step_count(numerics.duration(), time_step);
   History history;

@@ -15,11 +15,6 @@ solver::SparseMatrix scalar_matrix(double value) {
   return matrix;
 }
 
-solver::PrescribedMotion at_rest() {
-  const auto zero = [](double) { return 0.0; };
-  return {zero, zero, zero};
-}
-
 solver::PrescribedMotion shaken(double amplitude, double hz) {
   const double omega = 2.0 * std::numbers::pi * hz;
   return {[=](double t) { return -amplitude / (omega * omega) * std::sin(omega * t); },
@@ -36,7 +31,7 @@ solver::ContactSystem contact_system(const SingleMass& mass) {
           .load_history = [](double) { return 0.0; },
           .contact = 0,
           .wall = mass.wall_acceleration == 0.0
-                      ? at_rest()
+                      ? solver::PrescribedMotion()
                       : shaken(mass.wall_acceleration, mass.omega / (2.0 * std::numbers::pi)),
           .normal_force = mass.normal_force,
           .friction = data::FrictionLaw(mass.friction)};

@@ -63,8 +63,6 @@ inline constexpr SingleMass oscillating_mass{.stiffness = 4.0, .normal_force = 4
 [[nodiscard]] solver::SparseMatrix scalar_matrix(double value);
 [[nodiscard]] Eigen::VectorXd scalar(double value);
 
-[[nodiscard]] solver::PrescribedMotion at_rest();
-
 /// w_tt = amplitude sin(2 pi hz t).
 [[nodiscard]] solver::PrescribedMotion shaken(double amplitude, double hz);
 

@@ -43,9 +43,6 @@ struct BeamRun {
 [[nodiscard]] Coordinates fastest_coordinates(int elements, const data::Damping& damping,
                                               ContactScheme scheme = ContactScheme::located);
 
-/// h(t) = A0 sin(2 π hz t) with its derivatives.
-[[nodiscard]] PrescribedMotion harmonic_motion(const data::HarmonicExcitation& excitation);
-
 /// The damping of the beam on its mesh, symmetric, the same matrix in stick and slip:
 ///
 ///     C = η K + Σ_n 2 ζ ω_n (M φ_n) (M φ_n)ᵀ,
@@ -63,13 +60,13 @@ struct BeamRun {
 /// that matrix is full.
 [[nodiscard]] SparseMatrix damping_matrix(const BeamModel& model, const data::Damping& damping);
 
-/// The beam on a base that moves by h(t), as a system with one contact at the tip. In coordinates that move
+/// The beam of a case on the mesh of `model`, as a system with one contact at the tip. In coordinates that move
 /// with the base the wall moves by V t - h(t) and the load is -b h_tt. The normal force is P, or zero in tension.
 /// Throws what damping_matrix() throws.
-[[nodiscard]] ContactSystem beam_contact_system(const BeamModel& model, const data::FrictionLaw& friction,
-                                                const PrescribedMotion& base,
-                                                const data::Damping& damping = {},
-                                                const data::Wall& wall = {});
+[[nodiscard]] ContactSystem beam_contact_system(const BeamModel& model, const data::Case& problem);
+/// The same on a base that moves by h(t) = `base` instead of the case's motion.
+[[nodiscard]] ContactSystem beam_contact_system(const BeamModel& model, const data::Case& problem,
+                                                const PrescribedMotion& base);
 
 /// The beam of the paper by finite elements: built, started with its tip at rest and stepped through
 /// time. Displacements are absolute (y = h + u); friction_force() has the sign of Eq. (28), f = EI u'''(L) +

@@ -10,11 +10,11 @@
 
 namespace stickslip::solver {
 
-/// A prescribed motion with its exact derivatives.
+/// A prescribed motion with its exact derivatives; at rest by default.
 struct PrescribedMotion {
-  std::function<double(double)> displacement;  ///< m, of t in s
-  std::function<double(double)> velocity;      ///< m/s
-  std::function<double(double)> acceleration;  ///< m/s²
+  std::function<double(double)> displacement{[](double) { return 0.0; }};  ///< m, of t in s
+  std::function<double(double)> velocity{[](double) { return 0.0; }};      ///< m/s
+  std::function<double(double)> acceleration{[](double) { return 0.0; }};  ///< m/s²
 };
 
 /// The normal force of a bonded contact, which never slips: the system is then linear.
@@ -39,7 +39,7 @@ struct ContactSystem {
   Eigen::VectorXd load_shape;                  ///< p
   std::function<double(double)> load_history;  ///< s, of t in s
   Eigen::Index contact{};                      ///< c
-  PrescribedMotion wall;                       ///< w
+  PrescribedMotion wall{};                     ///< w
   double normal_force{};                       ///< N, newton, ≥ 0; or bonding_force
   data::FrictionLaw friction;
   data::TangentialContact tangential{};  ///< a spring or a smooth law takes the place of stick

@@ -36,10 +36,9 @@ struct HeldTipBasis {
 [[nodiscard]] Eigen::VectorXd modal_coordinates(const BeamModel& model, const HeldTipBasis& basis,
                                                 const Eigen::VectorXd& nodal);
 
-/// The contact system of the beam without damping, in the coordinates of the basis: what StepAlgebra::modal
+/// The beam_contact_system() of the model in the coordinates of the basis, without its damping: what StepAlgebra::modal
 /// takes.
 [[nodiscard]] ContactSystem modal_contact_system(const BeamModel& model, const HeldTipBasis& basis,
-                                                 const data::FrictionLaw& friction,
-                                                 const PrescribedMotion& base, const data::Wall& wall = {});
+                                                 ContactSystem system);
 
 }  // namespace stickslip::solver

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "stickslip/data/problem.hpp"
+#include "stickslip/solver/base_motion.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "stickslip/solver/generalized_alpha.hpp"
 #include "stickslip/solver/held_tip_basis.hpp"
@@ -22,17 +23,16 @@ namespace stickslip::solver {
 ///     x_1' = x_1 + x_2 + (1/2 - β) x_3 + β x_3',
 ///
 /// s = 1 - α_f, r = φᵀ (-b + M σ) with the static shape σ of the tip's motion. The state at
-/// t_n with sin(Ω t_n) and cos(Ω t_n) is a vector y_n, a step y_(n+1) = T y_n and an output o y_n, so
+/// t_n with the weights w_k(t_n) of shifted_motion() is a vector y_n, a step y_(n+1) = T y_n and an output o y_n, so
 /// that B outputs from t_n on are the product of a matrix with the rows o, o T, ... o T^(B-1) and y_n: one
 /// matrix product for all blocks of B steps, whose states follow from each other by T^B.
 class ModalStickRun {
  public:
-  /// Uses elements, time_step and spectral_radius of `numerics`. Needs all modes of the mesh, whose cost
+  /// Uses beam, motion, and of the numerics elements, time_step and spectral_radius. Needs all modes of the mesh, whose cost
   /// grows as the cube of the elements. Throws data::FieldError, naming beam.axial_force, if P is at or over
   /// the buckling load.
-  ModalStickRun(const data::Beam& beam, const data::HarmonicExcitation& excitation,
-                const data::NumericalSettings& numerics,
-                InitialVelocity initial_velocity = InitialVelocity::quasi_static);
+  explicit ModalStickRun(const data::Case& problem,
+                         InitialVelocity initial_velocity = InitialVelocity::quasi_static);
 
   /// f at t_0 ... t_steps, N, sign of Eq. (28).
   [[nodiscard]] std::vector<double> friction_force(long steps) const;
@@ -61,7 +61,8 @@ class ModalStickRun {
 
   BeamModel model_;
   GeneralizedAlpha method_;
-  double h_, amplitude_, omega_;
+  double h_;
+  std::vector<ShiftedMotion> base_;
   HeldTipBasis basis_;
   Eigen::ArrayXd stiffness_;       // k
   Eigen::ArrayXd load_;            // h² r
