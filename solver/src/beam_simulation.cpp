@@ -163,7 +163,7 @@ Eigen::VectorXd BeamSimulation::weights_at(double x) const {
   return basis_.size() > 0 ? basis_.transpose() * nodal : nodal;
 }
 
-double BeamSimulation::base_displacement() const { return base_.displacement(time()); }
+double BeamSimulation::base_displacement() const { return base_.displacement(integrator_->time()); }
 
 double BeamSimulation::displacement(double x) const {
   return base_displacement() + weights_at(x).dot(integrator_->displacement());
@@ -188,7 +188,7 @@ double max_abs_friction_force(const data::Case& problem, Coordinates coordinates
                             run);
   double largest = std::abs(simulation.friction_force());
   for (long n = steps; n > 0; --n) {
-    simulation.step();
+    simulation.integrator().step();
     largest = std::max(largest, std::abs(simulation.friction_force()));
   }
   return largest;
@@ -207,7 +207,7 @@ std::optional<double> first_slip(const data::Case& problem, Coordinates coordina
   const auto& events = simulation.integrator().events();
   for (long n = step_count(problem.numerics.duration(), problem.numerics.time_step());
        n > 0 && events.empty(); --n)
-    simulation.step();
+    simulation.integrator().step();
   return events.empty() ? std::nullopt : std::optional(events.front().time);
 }
 

@@ -231,7 +231,7 @@ void stick_slip_run(benchmark::State& state, Coordinates coordinates) {
   std::size_t events = 0;
   for (auto _ : state) {
     BeamSimulation run(paper_case(), {.coordinates = coordinates});
-    while (run.integrator().steps() < static_cast<long>(steps)) run.step();
+    while (run.integrator().steps() < static_cast<long>(steps)) run.integrator().step();
     events = run.integrator().events().size();
     benchmark::DoNotOptimize(run.friction_force());
   }
@@ -248,7 +248,7 @@ void elements(benchmark::State& state) {
   const auto numerics = settings(static_cast<int>(state.range(0)), 0.01);
   BeamSimulation run(with(paper_case(shaking(35.0, 0.5e-3)), numerics), {.contact = TipContact::bonded});
   for (auto _ : state) {
-    for (int n = 0; n < 100; ++n) run.step();
+    for (int n = 0; n < 100; ++n) run.integrator().step();
     benchmark::DoNotOptimize(run.friction_force());
   }
   state.SetComplexityN(state.range(0));

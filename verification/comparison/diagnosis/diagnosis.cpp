@@ -604,7 +604,7 @@ class Search {
     for (auto* column : {&early.abscissa, &early.theirs, &early.reference}) column->resize(count);
     std::map<double, std::vector<double>> predicted;  // by x/L
     for (std::size_t i = 0; i < count; ++i) {
-      while (run.time() + 0.5 * step < values.abscissa[i]) run.step();
+      while (run.integrator().time() + 0.5 * step < values.abscissa[i]) run.integrator().step();
       for (int elements = 4; elements <= finest; elements += 2)
         for (const double side : {-1.0, 1.0}) {
           const double place = 0.5 + side / elements;

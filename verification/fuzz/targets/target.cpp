@@ -206,9 +206,10 @@ void follow_by_finite_elements(const data::Case& problem, solver::ContactScheme 
   solver::BeamSimulation run(problem, {.scheme = scheme});
   const long steps = solver::step_count(problem.numerics.duration(), problem.numerics.time_step());
   for (long n = 0; n <= steps; ++n) {
-    if (n > 0) run.step();
-    require_finite(run.time(), {run.base_displacement(), run.tip_displacement(), run.midspan_displacement(),
-                                run.sliding_velocity(), run.friction_force()});
+    if (n > 0) run.integrator().step();
+    require_finite(run.integrator().time(),
+                   {run.base_displacement(), run.tip_displacement(), run.midspan_displacement(),
+                    run.integrator().sliding_velocity(), run.friction_force()});
   }
 }
 

@@ -9,13 +9,13 @@ namespace stickslip::studies {
 namespace {
 
 HistoryRow row_of(const solver::BeamSimulation& simulation, const std::vector<double>& positions) {
-  HistoryRow row{.time = simulation.time(),
+  HistoryRow row{.time = simulation.integrator().time(),
                  .base_displacement = simulation.base_displacement(),
                  .tip_displacement = simulation.tip_displacement(),
                  .midspan_displacement = simulation.midspan_displacement(),
-                 .sliding_velocity = simulation.sliding_velocity(),
+                 .sliding_velocity = simulation.integrator().sliding_velocity(),
                  .friction_force = simulation.friction_force(),
-                 .state = simulation.state()};
+                 .state = simulation.integrator().state()};
   for (const double x : positions) row.displacement.push_back(simulation.displacement(x));
   return row;
 }
@@ -31,7 +31,7 @@ History finite_element_history(const data::Case& problem, const Sampling& sampli
   History history;
   long done = 0;
   const auto step_to = [&](long step) {
-    for (; done < step; ++done) simulation.step();
+    for (; done < step; ++done) simulation.integrator().step();
   };
   step_to(for_each_row(problem, sampling, [&](long step, double) {
     step_to(step);

@@ -49,7 +49,7 @@ SampledHistory bonded_history(const data::Case& problem, long stride) {
   const long steps = solver::step_count(problem.numerics.duration(), problem.numerics.time_step());
   SampledHistory history;
   for (long n = 0; n <= steps; ++n) {
-    if (n > 0) simulation.step();
+    if (n > 0) simulation.integrator().step();
     if (n % stride != 0) continue;
     history.displacement.push_back(simulation.midspan_displacement());
     history.force.push_back(simulation.friction_force());

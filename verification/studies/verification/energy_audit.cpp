@@ -15,8 +15,9 @@ solver::EnergyBalance stepped_balance(const data::Case& problem, double duration
                                       double time_step) {
   solver::BeamSimulation simulation(refined(problem, elements, time_step, duration, 1.0));
   solver::EnergyRecorder recorder(simulation.integrator());
-  simulation.observe([&recorder](const solver::StickSlipIntegrator& now) { recorder.record(now); });
-  for (long n = solver::step_count(duration, time_step); n > 0; --n) simulation.step();
+  simulation.integrator().observe(
+      [&recorder](const solver::StickSlipIntegrator& now) { recorder.record(now); });
+  for (long n = solver::step_count(duration, time_step); n > 0; --n) simulation.integrator().step();
   return recorder.balance();
 }
 
@@ -92,18 +93,19 @@ std::vector<SchemeRun> compare_schemes(const data::Case& problem) {
   for (const auto scheme : {ContactScheme::located, ContactScheme::end_of_step, ContactScheme::paper}) {
     solver::BeamSimulation simulation(problem, {.scheme = scheme});
     solver::EnergyRecorder recorder(simulation.integrator());
-    simulation.observe([&recorder](const solver::StickSlipIntegrator& now) { recorder.record(now); });
+    simulation.integrator().observe(
+        [&recorder](const solver::StickSlipIntegrator& now) { recorder.record(now); });
     SchemeRun run;
     const long steps = solver::step_count(problem.numerics.duration(), problem.numerics.time_step());
     for (long n = 0; n < steps; ++n) {
-      simulation.step();
+      simulation.integrator().step();
       run.largest_tip_displacement =
           std::max(run.largest_tip_displacement, std::abs(simulation.tip_displacement()));
     }
     const auto& events = simulation.integrator().events();
     if (!events.empty()) run.first_slip = events.front().time;
     run.events = events.size();
-    run.plateaus = plateaus_of(events, simulation.time());
+    run.plateaus = plateaus_of(events, simulation.integrator().time());
     run.energy = recorder.balance();
     runs.push_back(run);
   }

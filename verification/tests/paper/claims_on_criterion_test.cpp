@@ -81,8 +81,8 @@ TEST(Equation30, AboveTheLimitTheTipSticksAndSlips) {
     solver::BeamSimulation run = run_at(hz, 1.05 * critical_amplitude(hz));
     for (long n = solver::step_count(10.0, paper().numerics.time_step());
          n > 0 && run.integrator().events().empty(); --n)
-      run.step();
-    for (int n = 0; n < 10000 && captures(run) == 0; ++n) run.step();
+      run.integrator().step();
+    for (int n = 0; n < 10000 && captures(run) == 0; ++n) run.integrator().step();
     return captures(run) > 0;
   });
   judge("eq30", {.as_printed = sticks_again == std::ssize(probes)},
@@ -402,7 +402,7 @@ TEST(Figure6, TipMovesFartherThanBaseNearResonance) {
   const auto tip = [](double hz) {
     solver::BeamSimulation run = run_at(hz, 0.5e-3);
     return largest(evenly_spaced(1.0, 10000.0, 1.0), [&](double) {
-      run.step();
+      run.integrator().step();
       return mm(run.tip_displacement());
     });
   };

@@ -81,7 +81,7 @@ TEST(Section2, AxialMotionIsSmall) {
   const double chord = 0.05 * length();
   double lateral = 0.0, axial = 0.0;
   for (int n = 1; n <= 5000; ++n) {
-    run.step();
+    run.integrator().step();
     if (n % 10 != 0) continue;
     double shortening = 0.0;
     for (const double x : evenly_spaced(0.0, length() - chord, chord)) {
@@ -132,8 +132,8 @@ TEST(Equation3, StuckTipHasNoMoment) {
   double departure = 0.0, start = 0.0;  // of y(L), which is u + h
   std::size_t phases = 0, events = 0;
   for (int n = 0; n < 3000; ++n) {
-    run.step();
-    if (run.state() != data::ContactState::stick) continue;
+    run.integrator().step();
+    if (run.integrator().state() != data::ContactState::stick) continue;
     if (phases == 0 || run.integrator().events().size() > events) {
       ++phases;
       events = run.integrator().events().size();
@@ -178,13 +178,13 @@ TEST(Equation4, StickLastsUpToTheLimit) {
   solver::BeamSimulation run = run_at(25.0, 1e-3);
   const double at_start = std::abs(run.friction_force());
   bool stayed_below = true;
-  while (run.state() == data::ContactState::stick) {
+  while (run.integrator().state() == data::ContactState::stick) {
     stayed_below &= std::abs(run.friction_force()) <= friction_limit();
-    run.step();
+    run.integrator().step();
   }
   const double onset = run.integrator().events().front().time;
   solver::BeamSimulation bonded = run_at(25.0, 1e-3, {.contact = solver::TipContact::bonded});
-  while (bonded.time() < onset) bonded.step();
+  while (bonded.integrator().time() < onset) bonded.integrator().step();
   const double after = std::abs(bonded.friction_force());
   judge("eq4.until",
         {.as_printed = at_start >= friction_limit(), .corrected = stayed_below && after > friction_limit()},
@@ -219,9 +219,9 @@ ContactRun contact_run() {
   solver::BeamSimulation run = run_at(70.0, 1e-3);
   ContactRun found;
   for (int n = 0; n < 5000; ++n) {
-    run.step();
-    const double v = run.sliding_velocity(), on_beam = -run.friction_force();
-    const bool sticks = run.state() == data::ContactState::stick;
+    run.integrator().step();
+    const double v = run.integrator().sliding_velocity(), on_beam = -run.friction_force();
+    const bool sticks = run.integrator().state() == data::ContactState::stick;
     (sticks ? found.static_forces : found.kinetic_forces).push_back(std::abs(on_beam));
     if (sticks || v == 0.0) continue;
     ++found.slipping;

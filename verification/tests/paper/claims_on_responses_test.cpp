@@ -82,8 +82,8 @@ TEST(Section3, ThresholdMissesFastStops) {
   int stops = 0, missed = 0;
   double before = 0.0;
   for (int n = 0; n < 3000; ++n) {
-    letter.step();
-    const double now = letter.sliding_velocity();
+    letter.integrator().step();
+    const double now = letter.integrator().sliding_velocity();
     const double threshold = paper().numerics.velocity_threshold();
     if (std::abs(now) <= threshold && std::abs(before) > threshold) ++stops;
     if (now * before < 0.0 && std::min(std::abs(now), std::abs(before)) > threshold) ++stops, ++missed;
@@ -93,7 +93,7 @@ TEST(Section3, ThresholdMissesFastStops) {
   const auto first_capture = [](double threshold) {
     solver::BeamSimulation run(
         with_value(with(paper(), excitation(25.0, large)), "numerics.velocity_threshold", threshold));
-    while (captures(run) == 0) run.step();
+    while (captures(run) == 0) run.integrator().step();
     return run.integrator().events().back().time;
   };
   const double moved = std::abs(first_capture(1e-4) - first_capture(0.0));
@@ -125,10 +125,11 @@ TipMotion tip_motion(double hz, double amplitude, double duration = 0.5) {
   const long steps = solver::step_count(duration, paper().numerics.time_step());
   TipMotion motion;
   for (long n = 0; n < steps; ++n) {
-    run.step();
+    run.integrator().step();
     motion.lowest = std::min(motion.lowest, run.tip_displacement());
     motion.highest = std::max(motion.highest, run.tip_displacement());
-    motion.stick_share += run.state() == data::ContactState::stick ? 1.0 / static_cast<double>(steps) : 0.0;
+    motion.stick_share +=
+        run.integrator().state() == data::ContactState::stick ? 1.0 / static_cast<double>(steps) : 0.0;
   }
   const auto& events = run.integrator().events();
   motion.sticks = captures(run);
@@ -137,7 +138,7 @@ TipMotion tip_motion(double hz, double amplitude, double duration = 0.5) {
     long_sticks +=
         events[i - 1].change == data::ContactChange::capture && events[i].time - events[i - 1].time > 1e-3;
   if (!events.empty())
-    motion.long_sticks_per_period = long_sticks / (hz * (run.time() - events.front().time));
+    motion.long_sticks_per_period = long_sticks / (hz * (run.integrator().time() - events.front().time));
   return motion;
 }
 

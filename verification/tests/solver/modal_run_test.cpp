@@ -40,7 +40,7 @@ History plain_history(const data::Case& problem, InitialVelocity initial_velocit
     history.displacement.push_back(run.displacement(0.49 * problem.beam().length()) -
                                    run.base_displacement());
   };
-  for (note(); run.integrator().steps() < steps; note()) run.step();
+  for (note(); run.integrator().steps() < steps; note()) run.integrator().step();
   return history;
 }
 
@@ -107,7 +107,7 @@ SlipRun run_of(const data::NumericalSettings& numerics, Coordinates coordinates,
   BeamSimulation run(with(paper_problem(25.0, amplitude), numerics), {.coordinates = coordinates});
   SlipRun result;
   for (long n = solver::step_count(numerics.duration(), numerics.time_step()); n > 0; --n) {
-    run.step();
+    run.integrator().step();
     result.force.push_back(run.friction_force());
     result.tip.push_back(run.tip_displacement());
     result.midspan.push_back(run.midspan_displacement());
@@ -140,7 +140,7 @@ TEST(ModalSteps, StopWhereTheStateIsNotFinite) {
     BeamSimulation run(with(paper_problem(1000.0, 1e303), settings(20, 0.9)),
                        {.contact = TipContact::bonded, .coordinates = coordinates});
     const std::string message = error_message_of<std::runtime_error>([&] {
-      while (run.integrator().steps() < 100) run.step();
+      while (run.integrator().steps() < 100) run.integrator().step();
     });
     EXPECT_TRUE(holds(message, "no longer finite at t = 0."));
   }
@@ -194,7 +194,7 @@ TEST(FastestCoordinates, AreThoseOfARun) {
   const data::NumericalSettings numerics(paper_choices(0.05));
   const auto tip = [&](Coordinates coordinates, solver::ContactScheme scheme) {
     BeamSimulation run = slipping_run(numerics, {.scheme = scheme, .coordinates = coordinates});
-    while (run.integrator().steps() < 500) run.step();
+    while (run.integrator().steps() < 500) run.integrator().step();
     return run.friction_force();
   };
   using solver::ContactScheme;

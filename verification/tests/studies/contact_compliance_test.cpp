@@ -193,11 +193,11 @@ TEST(YieldingContactForce, HasTheForceOfANarrowLaw) {
   const data::Case problem = damped_case(smooth(1e-8), 0.05);  // before the first slip
   solver::BeamSimulation narrow(problem), held(with(problem, data::TangentialContact()));
   for (int n = 0; n < 2500; ++n) {
-    narrow.step(), held.step();
+    narrow.integrator().step(), held.integrator().step();
     // Both reactions are of second order, (omega_10 h)^2 of what the highest modes that matter add.
     ASSERT_TRUE(within(narrow.friction_force(), held.friction_force(),
                        discretisation(1.0, 1.0, "the square of (omega_10 h)")))
-        << narrow.time();
+        << narrow.integrator().time();
   }
 }
 
@@ -271,11 +271,11 @@ TEST(CompliantReaction, IsThatOfFiniteElements) {
     const auto largest_error = [&](double h) {
       solver::BeamSimulation simulation(with_value(with(paper, strong, spring(k)), "numerics.time_step", h));
       double largest = 0.0;
-      while (simulation.time() < 0.1) {
-        simulation.step();
-        largest = largest_or_nan(
-            {largest, std::abs(simulation.friction_force() -
-                               paper.excitation().amplitude() * closed.value(simulation.time()))});
+      while (simulation.integrator().time() < 0.1) {
+        simulation.integrator().step();
+        largest = largest_or_nan({largest, std::abs(simulation.friction_force() -
+                                                    paper.excitation().amplitude() *
+                                                        closed.value(simulation.integrator().time()))});
       }
       return largest;
     };

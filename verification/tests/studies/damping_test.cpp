@@ -24,7 +24,7 @@ TEST(DampedSteppedResponse, StartsAsTheClosedForm) {
         {.contact = solver::TipContact::bonded});
     std::vector<double> forces;
     for (int n = 0; n < 2000; ++n) {
-      for (int i = 0; i < (level == 0 ? 1 : 4); ++i) beam.step();
+      for (int i = 0; i < (level == 0 ? 1 : 4); ++i) beam.integrator().step();
       forces.push_back(beam.friction_force());
     }
     return forces;

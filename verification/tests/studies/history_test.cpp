@@ -67,19 +67,19 @@ using Times = std::vector<double>;
 Found found_by_elements(const data::Case& problem, const Times& times) {
   solver::BeamSimulation run(problem);
   solver::EnergyRecorder recorder(run.integrator());
-  run.observe([&recorder](const solver::StickSlipIntegrator& now) { recorder.record(now); });
+  run.integrator().observe([&recorder](const solver::StickSlipIntegrator& now) { recorder.record(now); });
   Found found;
   studies::History history;
   const double step = problem.numerics.time_step();
   const auto keep = rows_at(times, step, found.rows);
   for (long n = solver::step_count(problem.numerics.duration(), step); n > 0; --n) {
-    run.step();
-    const HistoryRow row{.time = run.time(),
+    run.integrator().step();
+    const HistoryRow row{.time = run.integrator().time(),
                          .tip_displacement = run.tip_displacement(),
                          .midspan_displacement = run.midspan_displacement(),
-                         .sliding_velocity = run.sliding_velocity(),
+                         .sliding_velocity = run.integrator().sliding_velocity(),
                          .friction_force = run.friction_force(),
-                         .state = run.state()};
+                         .state = run.integrator().state()};
     studies::require_bounded(problem, row.tip_displacement, row.time);
     studies::hold_to_law(problem, history, row);
     keep(row);

@@ -3,7 +3,6 @@
 
 #include <memory>
 #include <optional>
-#include <utility>
 
 #include "stickslip/data/problem.hpp"
 #include "stickslip/solver/beam_model.hpp"
@@ -68,7 +67,7 @@ struct BeamRun {
 [[nodiscard]] ContactSystem beam_contact_system(const BeamModel& model, const data::Case& problem,
                                                 const PrescribedMotion& base);
 
-/// The beam of the paper by finite elements: built, started with its tip at rest and stepped through
+/// The beam of a case by finite elements, started with its tip at rest on the wall; integrator() steps it through
 /// time. Displacements are absolute (y = h + u); friction_force() has the sign of Eq. (28), f = EI u'''(L) +
 /// χ P u'(L) = -f_d.
 class BeamSimulation {
@@ -85,21 +84,14 @@ class BeamSimulation {
   /// Throws std::logic_error for Coordinates::modal with ContactScheme::paper.
   explicit BeamSimulation(const data::Case& problem, const BeamRun& run = {});
 
-  void step() { integrator_->step(); }
-
-  /// See StickSlipIntegrator::observe.
-  void observe(StickSlipIntegrator::Observer observer) { integrator_->observe(std::move(observer)); }
-
-  [[nodiscard]] double time() const noexcept { return integrator_->time(); }  ///< s
-  [[nodiscard]] double base_displacement() const;                             ///< h, m
-  [[nodiscard]] double displacement(double x) const;                          ///< y(x), m
-  [[nodiscard]] double tip_displacement() const;                              ///< y(L), m
-  [[nodiscard]] double midspan_displacement() const;                          ///< y(L/2), m
-  /// v_s = y_t(L) - V, m/s.
-  [[nodiscard]] double sliding_velocity() const { return integrator_->sliding_velocity(); }
+  [[nodiscard]] double base_displacement() const;                                         ///< h, m
+  [[nodiscard]] double displacement(double x) const;                                      ///< y(x), m
+  [[nodiscard]] double tip_displacement() const;                                          ///< y(L), m
+  [[nodiscard]] double midspan_displacement() const;                                      ///< y(L/2), m
   [[nodiscard]] double friction_force() const { return -integrator_->friction_force(); }  ///< f, N
-  [[nodiscard]] data::ContactState state() const noexcept { return integrator_->state(); }
   [[nodiscard]] const BeamModel& model() const noexcept { return model_; }
+  /// Of the beam's ContactSystem: time, steps, events. Its sliding velocity is v_s = y_t(L) - V.
+  [[nodiscard]] StickSlipIntegrator& integrator() noexcept { return *integrator_; }
   [[nodiscard]] const StickSlipIntegrator& integrator() const noexcept { return *integrator_; }
 
  private:

@@ -18,7 +18,7 @@ int main(int argc, char** argv) {
             << '\n';
 
   solver::BeamSimulation simulation(problem, {.coordinates = solver::Coordinates::fastest});
-  simulation.step();
+  simulation.integrator().step();
   std::cout << "midspan / m: " << data::shortest_text(simulation.midspan_displacement()) << '\n'
             << "friction force / N: " << data::shortest_text(simulation.friction_force()) << '\n';
 }
