@@ -59,11 +59,10 @@ Answer answer_of(const data::Case& problem, const RespondOptions& options, const
 Answer respond(const RespondOptions& options, Outputs& outputs) {
   const data::Case problem = load_case(options.problem);
   const studies::Method& method = studies::method(options.method);
-  studies::RunChoices choices;
-  if (options.initial_velocity == "zero") choices.initial_velocity = solver::InitialVelocity::zero;
-  if (options.scheme) choices.scheme = studies::contact_schemes().at(*options.scheme);
+  solver::RunOptions run{.starts_with_the_base = options.initial_velocity == "zero"};
+  if (options.scheme) run.scheme = studies::contact_schemes().at(*options.scheme);
   if (!options.history.events.empty()) method.require(studies::Feature::slip, "--method", method.name);
-  method.require(problem, choices);
+  method.require(problem, run);
   studies::require_held_growth(problem, method.inquiry);
   outputs.about(problem);
   HistoryOutput output(problem, options.history, outputs);
@@ -81,10 +80,10 @@ Answer respond(const RespondOptions& options, Outputs& outputs) {
     sampling.positions_every = studies::usual_row_step(problem, problem.numerics.duration());
   }
   const auto history =
-      method.run(problem, sampling, choices, [&](const studies::HistoryRow& row) { output.add(row, step); });
+      method.run(problem, sampling, run, [&](const studies::HistoryRow& row) { output.add(row, step); });
   output.finish(history);
   Answer answer = answer_of(problem, options, history, output);
-  answer.warnings = studies::warnings_after(problem, method.inquiry, history, choices);
+  answer.warnings = studies::warnings_after(problem, method.inquiry, history, run);
   add_warning(answer, studies::row_warning(problem, method, step, output.row_step()));
   if (options.scheme && *options.scheme != "located")
     add_warning(answer,
@@ -93,7 +92,7 @@ Answer respond(const RespondOptions& options, Outputs& outputs) {
                             *options.scheme));
   add_warning(answer, studies::deflection_warning(problem.beam(), output.largest_deflection()));
   add_warning(answer, studies::draw_back_warning(problem.beam(), output.bending().draw_back));
-  if (choices.initial_velocity == solver::InitialVelocity::zero)
+  if (run.starts_with_the_base)
     add_warning(answer, std::string("--initial-velocity zero starts with a blow of the base: the largest |f| "
                                     "just after it grows with the modes or elements without a limit, so that "
                                     "it and a slip, or none, that follows from it are no results"));

@@ -73,8 +73,8 @@ ContactSystem beam_contact_system(const BeamModel& model, const data::Case& prob
 
 namespace {
 
-void require_contact(const data::Beam& beam, TipContact contact) {
-  if (contact == TipContact::bonded || beam.axial_force() > 0.0) return;
+void require_contact(const data::Beam& beam, bool is_bonded) {
+  if (is_bonded || beam.axial_force() > 0.0) return;
   throw data::FieldError("beam.axial_force", beam.axial_force(),
                          "positive (compression), or there is no contact");
 }
@@ -87,28 +87,29 @@ void require_undamped(const data::Damping& damping) {
                          "0 in modal coordinates, which damping would couple");
 }
 
-// Nodal or modal.
-Coordinates coordinates_of(const data::Case& problem, const BeamRun& run) {
-  if (run.coordinates == Coordinates::fastest)
-    return fastest_coordinates(problem.numerics.elements(), problem.damping, run.scheme);
-  if (run.coordinates == Coordinates::nodal) return Coordinates::nodal;
+ContactScheme scheme_of(const RunOptions& options) { return options.scheme.value_or(ContactScheme::located); }
+
+Coordinates coordinates_of(const data::Case& problem, const RunOptions& options) {
+  const ContactScheme scheme = scheme_of(options);
+  if (!options.coordinates) return fastest_coordinates(problem.numerics.elements(), problem.damping, scheme);
+  if (options.coordinates == Coordinates::nodal) return Coordinates::nodal;
   require_undamped(problem.damping);
-  if (run.scheme == ContactScheme::paper)
+  if (scheme == ContactScheme::paper)
     throw std::logic_error(
         "the scheme of the paper overwrites a nodal velocity: it has no modal coordinates");
   return Coordinates::modal;
 }
 
-IntegratorSettings integrator_settings(const data::NumericalSettings& numerics, const BeamRun& run,
+IntegratorSettings integrator_settings(const data::NumericalSettings& numerics, ContactScheme scheme,
                                        Coordinates coordinates) {
-  if (run.scheme == ContactScheme::paper && numerics.velocity_threshold() == 0.0)
+  if (scheme == ContactScheme::paper && numerics.velocity_threshold() == 0.0)
     throw data::FieldError("numerics.velocity_threshold", "0",
                            "above 0 (m/s) with the scheme of the paper, or no slip ever ends");
   return {.time_step = numerics.time_step(),
           .spectral_radius = numerics.spectral_radius(),
           .velocity_threshold = numerics.velocity_threshold(),
-          .scheme = run.scheme,
-          .algebra = coordinates == Coordinates::modal ? StepAlgebra::modal : StepAlgebra::sparse};
+          .scheme = scheme,
+          .coordinates = coordinates};
 }
 
 // The rounding of the tip's position, eps times the base motion, changes the force of the spring. This must stay far
@@ -123,8 +124,8 @@ void require_resolved_spring(const data::TangentialContact& contact, double limi
           " N/m by finite elements, whose rounding would move the force; inf for a rigid contact");
 }
 
-BeamModel checked_model(const data::Beam& beam, int elements, TipContact contact) {
-  require_contact(beam, contact);
+BeamModel checked_model(const data::Beam& beam, int elements, bool is_bonded) {
+  require_contact(beam, is_bonded);
   BeamModel model(beam, elements);
   require_stable_stick_state(model);
   return model;
@@ -132,15 +133,15 @@ BeamModel checked_model(const data::Beam& beam, int elements, TipContact contact
 
 }  // namespace
 
-BeamSimulation::BeamSimulation(const data::Case& problem, const BeamRun& run)
-    : model_(checked_model(problem.beam(), problem.numerics.elements(), run.contact)),
+BeamSimulation::BeamSimulation(const data::Case& problem, const RunOptions& options)
+    : model_(checked_model(problem.beam(), problem.numerics.elements(), options.is_bonded)),
       base_(base_motion(problem.motion)) {
-  const Coordinates coordinates = coordinates_of(problem, run);
-  const IntegratorSettings settings = integrator_settings(problem.numerics, run, coordinates);
+  const Coordinates coordinates = coordinates_of(problem, options);
+  const IntegratorSettings settings = integrator_settings(problem.numerics, scheme_of(options), coordinates);
   const Eigen::VectorXd at_rest = Eigen::VectorXd::Zero(model_.degrees_of_freedom());
   ContactSystem system = beam_contact_system(model_, problem, base_);
   Eigen::VectorXd velocity = system.wall.velocity(0.0) * model_.unit_tip_deflection();
-  if (run.initial_velocity == InitialVelocity::zero)
+  if (options.starts_with_the_base)
     velocity.head(model_.tip_deflection()).setZero(), velocity[model_.tip_rotation()] = 0.0;
   if (coordinates == Coordinates::modal) {
     const HeldTipBasis basis = held_tip_basis(model_);
@@ -152,7 +153,7 @@ BeamSimulation::BeamSimulation(const data::Case& problem, const BeamRun& run)
   require_resolved_spring(problem.contact.compliance,
                           problem.contact.friction.static_coefficient() * system.normal_force,
                           largest_displacement(problem.motion));
-  if (run.contact == TipContact::bonded) system.normal_force = bonding_force;
+  if (options.is_bonded) system.normal_force = bonding_force;
   integrator_ = std::make_unique<StickSlipIntegrator>(std::move(system), settings);
   midspan_ = weights_at(0.5 * problem.beam().length());
   integrator_->start_stuck(at_rest, velocity);
@@ -179,13 +180,13 @@ double BeamSimulation::midspan_displacement() const {
 
 long step_count(double duration, double time_step) { return std::lround(duration / time_step); }
 
-double max_abs_friction_force(const data::Case& problem, Coordinates coordinates) {
-  const BeamRun run{.contact = TipContact::bonded, .coordinates = coordinates};
+double max_abs_friction_force(const data::Case& problem, std::optional<Coordinates> coordinates) {
+  const RunOptions options{.is_bonded = true, .coordinates = coordinates};
   const long steps = step_count(problem.numerics.duration(), problem.numerics.time_step());
-  if (coordinates_of(problem, run) == Coordinates::modal)
+  if (coordinates_of(problem, options) == Coordinates::modal)
     return ModalStickRun(problem).max_abs_friction_force(steps);
   BeamSimulation simulation(with(problem, data::FrictionLaw({}), data::TangentialContact(), data::Wall()),
-                            run);
+                            options);
   double largest = std::abs(simulation.friction_force());
   for (long n = steps; n > 0; --n) {
     simulation.integrator().step();
@@ -194,16 +195,16 @@ double max_abs_friction_force(const data::Case& problem, Coordinates coordinates
   return largest;
 }
 
-std::optional<double> first_slip(const data::Case& problem, Coordinates coordinates) {
-  const BeamRun run{.coordinates = coordinates};
+std::optional<double> first_slip(const data::Case& problem, std::optional<Coordinates> coordinates) {
+  const RunOptions options{.coordinates = coordinates};
   // The linear run, tens of times as fast, has the forces of these steps to rounding, far less than this margin.
   constexpr double margin = 1e-6;
   if (problem.contact.compliance.is_rigid() && problem.contact.wall.speed() == 0.0 &&
-      coordinates_of(problem, run) == Coordinates::modal &&
+      coordinates_of(problem, options) == Coordinates::modal &&
       max_abs_friction_force(problem, Coordinates::modal) <
           (1.0 - margin) * problem.contact.friction.static_coefficient() * problem.beam().axial_force())
     return std::nullopt;
-  BeamSimulation simulation(problem, run);
+  BeamSimulation simulation(problem, options);
   const auto& events = simulation.integrator().events();
   for (long n = step_count(problem.numerics.duration(), problem.numerics.time_step());
        n > 0 && events.empty(); --n)

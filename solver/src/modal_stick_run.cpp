@@ -15,7 +15,7 @@ constexpr Eigen::Index blocks_at_a_time = 64;  // whose states fit into the cach
 
 }  // namespace
 
-ModalStickRun::ModalStickRun(const data::Case& problem, InitialVelocity initial_velocity)
+ModalStickRun::ModalStickRun(const data::Case& problem, const RunOptions& options)
     : model_(problem.beam(), problem.numerics.elements()),
       method_(problem.numerics.spectral_radius()),
       h_(problem.numerics.time_step()),
@@ -32,7 +32,7 @@ ModalStickRun::ModalStickRun(const data::Case& problem, InitialVelocity initial_
   const PrescribedMotion base = base_motion(problem.motion);
   start_ = Modes::Zero(count, 3);
   start_.col(2) = (base.acceleration(0.0) * (1.0 - method_.alpha_m())) * load_ * inverse_factor_;
-  if (initial_velocity == InitialVelocity::zero) {
+  if (options.starts_with_the_base) {
     const Eigen::VectorXd tip_alone =
         Eigen::VectorXd::Unit(model_.degrees_of_freedom(), model_.tip_deflection());
     start_.col(1) =

@@ -60,7 +60,7 @@ StickSlipIntegrator::StickSlipIntegrator(ContactSystem system, const IntegratorS
       method_(settings.spectral_radius),
       contact_(std::make_unique<FrictionContact>(system_)),
       held_contact_(std::make_unique<HeldContact>(system_)),
-      kernel_((settings.algebra == StepAlgebra::modal ? make_modal_kernel : make_sparse_kernel)(
+      kernel_((settings.coordinates == Coordinates::modal ? make_modal_kernel : make_sparse_kernel)(
           system_, *contact_, method_, settings.time_step)),
       advance_(scheme()) {}
 

@@ -23,7 +23,6 @@ namespace {
 using solver::BeamSimulation;
 using solver::Coordinates;
 using solver::SparseMatrix;
-using solver::TipContact;
 
 // The beam of the paper with its friction, settings and excitations.
 const data::Beam paper_beam({.length = 2.0,
@@ -246,7 +245,8 @@ BENCHMARK_CAPTURE(stick_slip_run, modal, Coordinates::modal)->Unit(benchmark::kM
 // A hundredth of a second of the plain stick run. Time and memory are proportional to the number of elements.
 void elements(benchmark::State& state) {
   const auto numerics = settings(static_cast<int>(state.range(0)), 0.01);
-  BeamSimulation run(with(paper_case(shaking(35.0, 0.5e-3)), numerics), {.contact = TipContact::bonded});
+  BeamSimulation run(with(paper_case(shaking(35.0, 0.5e-3)), numerics),
+                     {.is_bonded = true, .coordinates = Coordinates::nodal});
   for (auto _ : state) {
     for (int n = 0; n < 100; ++n) run.integrator().step();
     benchmark::DoNotOptimize(run.friction_force());

@@ -595,9 +595,8 @@ class Search {
     constexpr double periods = 5.0;
     const double step = 1.0 / (1600.0 * problem.excitation().frequency_hz());
     const bool is_held = reference_.resource.stated.tip == "held";
-    solver::BeamSimulation run(
-        with_value(problem, "numerics.time_step", step),
-        {.contact = is_held ? solver::TipContact::bonded : solver::TipContact::friction});
+    solver::BeamSimulation run(with_value(problem, "numerics.time_step", step),
+                               {.is_bonded = is_held, .coordinates = solver::Coordinates::nodal});
     ComparedValues early = values;
     const auto end = std::ranges::upper_bound(values.abscissa, periods / problem.excitation().frequency_hz());
     const auto count = static_cast<std::size_t>(end - values.abscissa.begin());

@@ -203,7 +203,7 @@ void require_finite(double time, std::initializer_list<double> values) {
 }
 
 void follow_by_finite_elements(const data::Case& problem, solver::ContactScheme scheme) {
-  solver::BeamSimulation run(problem, {.scheme = scheme});
+  solver::BeamSimulation run(problem, {.scheme = scheme, .coordinates = solver::Coordinates::nodal});
   const long steps = solver::step_count(problem.numerics.duration(), problem.numerics.time_step());
   for (long n = 0; n <= steps; ++n) {
     if (n > 0) run.integrator().step();

@@ -340,14 +340,14 @@ std::optional<double> first_difference(const std::vector<data::ContactEvent>& ev
   return there == other.end() ? here->time : std::min(here->time, there->time);
 }
 
-void warn_of_long_steps(const data::Case& problem, const RunChoices& choices, const History& history,
+void warn_of_long_steps(const data::Case& problem, const solver::RunOptions& options, const History& history,
                         std::vector<std::string>& sentences) {
   const double step = problem.numerics.time_step(), duration = problem.numerics.duration();
   if (2.0 * step > duration) return;
   std::optional<double> time;
   try {
     const auto other = finite_element_history(with_value(problem, "numerics.time_step", 2.0 * step),
-                                              {.every = solver::step_count(duration, step)}, choices);
+                                              {.every = solver::step_count(duration, step)}, options);
     time = first_difference(history.events, other.events);
   } catch (const std::runtime_error&) {  // so long a step cannot follow the law of friction
     time = history.events.front().time;
@@ -403,7 +403,7 @@ void require_held_growth(const data::Case& problem, Inquiry inquiry) {
 }
 
 std::vector<std::string> warnings_after(const data::Case& problem, Inquiry inquiry, const History& history,
-                                        const RunChoices& choices) {
+                                        const solver::RunOptions& options) {
   std::vector<std::string> sentences;
   for (const Warning& warning : problem_warnings(problem, inquiry)) sentences.push_back(warning.sentence);
   if (inquiry == Inquiry::closed_form_history && history.first_slip)
@@ -419,7 +419,7 @@ std::vector<std::string> warnings_after(const data::Case& problem, Inquiry inqui
     sentences.push_back(growth->sentence);
   } else {
     if (stepped && problem.contact.compliance.is_rigid())
-      warn_of_long_steps(problem, choices, history, sentences);
+      warn_of_long_steps(problem, options, history, sentences);
     if (inquiry == Inquiry::boundary_integral_history) warn_of_single_steps(problem, history, sentences);
     if (inquiry == Inquiry::event_driven_history) warn_of_few_modes(problem, history, sentences);
   }

@@ -130,7 +130,8 @@ void require_held_growth(const data::Case& problem, Inquiry inquiry);
 /// growth_warning() or else changes that twice the step or, event-driven, half as many modes more do not
 /// find, and changes within a step of the boundary integral), that rows do not obey the law of friction, and that the closed form does not hold beyond its first slip.
 [[nodiscard]] std::vector<std::string> warnings_after(const data::Case& problem, Inquiry inquiry,
-                                                      const History& history, const RunChoices& choices = {});
+                                                      const History& history,
+                                                      const solver::RunOptions& options = {});
 
 /// The time steps from look to look at a history whose method takes any times: the longest divisor of the row step, in steps of
 /// 1, 2 and 5, with a row_effect() of at most 1 %; or 1.

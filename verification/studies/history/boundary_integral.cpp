@@ -114,8 +114,8 @@ History boundary_integral_history(const data::Case& problem, const Sampling& sam
   return history_of(problem, sampling, boundary_integral_of(problem, steps), steps, {});
 }
 
-History boundary_integral_history(const data::Case& problem, const Sampling& sampling, const RunChoices&,
-                                  const RowSink& sink) {
+History boundary_integral_history(const data::Case& problem, const Sampling& sampling,
+                                  const solver::RunOptions&, const RowSink& sink) {
   const auto steps =
       static_cast<std::size_t>(std::lround(problem.numerics.time_step() / boundary_integral_step(problem)));
   const analytic::BeamBoundaryIntegral run = boundary_integral_of(problem, steps);

@@ -29,10 +29,10 @@ std::vector<data::ContactEvent> events_of(const analytic::EventDriven& run, doub
   return events;
 }
 
-// u_t = σ w_t + sum U_n T_n_t: zero rates are the quasi-static start, and -a_n w_t a beam at rest.
-std::vector<double> rates_of(const analytic::ContactModel& model, solver::InitialVelocity start) {
+// u_t = σ w_t + sum U_n T_n_t: zero rates are the quasi-static start, and -a_n w_t a beam that moves with the base.
+std::vector<double> rates_of(const analytic::ContactModel& model, bool starts_with_the_base) {
   std::vector<double> rates;
-  if (start == solver::InitialVelocity::zero)
+  if (starts_with_the_base)
     for (const double coupling : model.mass_coupling)
       rates.push_back(-coupling * (model.wall_amplitude * model.load_angular_frequency + model.wall_speed));
   return rates;
@@ -40,14 +40,14 @@ std::vector<double> rates_of(const analytic::ContactModel& model, solver::Initia
 
 }  // namespace
 
-History event_driven_history(const data::Case& problem, const Sampling& sampling, const RunChoices& choices,
-                             const RowSink& sink) {
+History event_driven_history(const data::Case& problem, const Sampling& sampling,
+                             const solver::RunOptions& options, const RowSink& sink) {
   const analytic::BeamContactModel beam(problem, problem.numerics.modes());
   const std::vector<double> midspan = beam.shapes(0.5 * problem.beam().length());
   std::vector<std::vector<double>> shapes;
   for (const double x : sampling.positions) shapes.push_back(beam.shapes(x));
   analytic::EventDriven run(beam.model());
-  run.start_stuck({}, rates_of(beam.model(), choices.initial_velocity));
+  run.start_stuck({}, rates_of(beam.model(), options.starts_with_the_base));
   History history;
   for_each_row(problem, sampling, [&](long, double time) {
     run.advance_to(time);

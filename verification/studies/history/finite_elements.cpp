@@ -22,12 +22,9 @@ HistoryRow row_of(const solver::BeamSimulation& simulation, const std::vector<do
 
 }  // namespace
 
-History finite_element_history(const data::Case& problem, const Sampling& sampling, const RunChoices& choices,
-                               const RowSink& sink) {
-  solver::BeamSimulation simulation(problem,
-                                    {.initial_velocity = choices.initial_velocity,
-                                     .scheme = choices.scheme.value_or(solver::ContactScheme::located),
-                                     .coordinates = choices.coordinates});
+History finite_element_history(const data::Case& problem, const Sampling& sampling,
+                               const solver::RunOptions& options, const RowSink& sink) {
+  solver::BeamSimulation simulation(problem, options);
   History history;
   long done = 0;
   const auto step_to = [&](long step) {

@@ -74,7 +74,8 @@ const std::vector<Method>& methods() {
         {Feature::start_at_rest, quasi_static},
         {Feature::contact_scheme, elements_only}},
        [](const data::Case& problem) { require_periods(problem, most_periods_in_closed_form); },
-       [](const data::Case& problem, const Sampling& sampling, const RunChoices&, const RowSink& sink) {
+       [](const data::Case& problem, const Sampling& sampling, const solver::RunOptions&,
+          const RowSink& sink) {
          return closed_form_history(problem, sampling, analytic::SteadyPart::modal_sum, sink);
        }},
       {"event-driven",
@@ -113,19 +114,18 @@ void Method::require(Feature feature, std::string_view field, const std::string&
     throw data::FieldError(std::string(field), value, fmt::format(fmt::runtime(refused.at(feature)), name));
 }
 
-void Method::require(const data::Case& problem, const RunChoices& choices) const {
+void Method::require(const data::Case& problem, const solver::RunOptions& options) const {
   const auto require_zero = [&](Feature feature, std::string_view field, double value) {
     if (value != 0.0) require(feature, field, data::shortest_text(value));
   };
-  if (choices.initial_velocity == solver::InitialVelocity::zero)
-    require(Feature::start_at_rest, "--initial-velocity", "zero");
-  if (choices.scheme) require(Feature::contact_scheme, "--method", name);
+  if (options.starts_with_the_base) require(Feature::start_at_rest, "--initial-velocity", "zero");
+  if (options.scheme) require(Feature::contact_scheme, "--method", name);
   require_zero(Feature::kelvin_voigt, "damping.kelvin_voigt", problem.damping.kelvin_voigt());
   require_zero(Feature::damping_ratio, "damping.ratio", problem.damping.ratio());
   if (const auto reason = refused.find(Feature::yielding_contact); reason != refused.end())
     data::require_rigid(problem.contact.compliance, fmt::format(fmt::runtime(reason->second), name));
   for (const auto& [scheme, value] : contact_schemes())
-    if (choices.scheme == value && value != solver::ContactScheme::located)
+    if (options.scheme == value && value != solver::ContactScheme::located)
       data::require_rigid(problem.contact.compliance, "--scheme " + scheme);
   require_zero(Feature::moving_wall, "wall.speed", problem.contact.wall.speed());
   require_zero(Feature::shear, "beam.shear_stiffness", problem.beam().shear_stiffness());

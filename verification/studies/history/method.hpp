@@ -43,13 +43,6 @@ enum class Feature {
   contact_scheme      ///< a choice of solver::ContactScheme
 };
 
-/// How a run differs from the default.
-struct RunChoices {
-  solver::InitialVelocity initial_velocity{solver::InitialVelocity::quasi_static};
-  std::optional<solver::ContactScheme> scheme{};                  ///< else located
-  solver::Coordinates coordinates{solver::Coordinates::fastest};  ///< of finite elements
-};
-
 /// One method.
 struct Method {
   std::string name{};
@@ -60,15 +53,15 @@ struct Method {
   void (*require_feasible)(const data::Case& problem){};
   /// The history of a case that require() accepts. With a sink, rows go there as they come, and History::rows is empty.
   /// Throws what the implementation throws.
-  History (*run)(const data::Case& problem, const Sampling& sampling, const RunChoices& choices,
+  History (*run)(const data::Case& problem, const Sampling& sampling, const solver::RunOptions& options,
                  const RowSink& sink){};
   /// It goes from time step to time step, so that a row at each of them costs little.
   bool in_time_steps{};
 
   /// Throws data::FieldError if the method cannot do the feature, which the field with that value asks for.
   void require(Feature feature, std::string_view field, const std::string& value) const;
-  /// Throws data::FieldError for a case or a choice that the method refuses or that is not feasible.
-  void require(const data::Case& problem, const RunChoices& choices = {}) const;
+  /// Throws data::FieldError for a case or an option that the method refuses or that is not feasible.
+  void require(const data::Case& problem, const solver::RunOptions& options = {}) const;
 };
 
 /// All methods, by name.
@@ -92,11 +85,12 @@ void require_periods(const data::Case& problem, double most_periods);
 
 /// By finite elements in time steps.
 [[nodiscard]] History finite_element_history(const data::Case& problem, const Sampling& sampling = {},
-                                             const RunChoices& choices = {}, const RowSink& sink = {});
+                                             const solver::RunOptions& options = {},
+                                             const RowSink& sink = {});
 
 /// From event to event in the modes of the continuous beam.
 [[nodiscard]] History event_driven_history(const data::Case& problem, const Sampling& sampling,
-                                           const RunChoices& choices = {}, const RowSink& sink = {});
+                                           const solver::RunOptions& options = {}, const RowSink& sink = {});
 /// The same of any contact model with the harmonic drive of a beam, from the quasi-static start, with rows at these times;
 /// without y(L/2).
 [[nodiscard]] History event_driven_history(const analytic::ContactModel& model,
@@ -104,7 +98,7 @@ void require_periods(const data::Case& problem, double most_periods);
 
 /// By the boundary integral of the tip with boundary_integral_step(), and with twice that for History::step_effect.
 [[nodiscard]] History boundary_integral_history(const data::Case& problem, const Sampling& sampling,
-                                                const RunChoices& choices, const RowSink& sink);
+                                                const solver::RunOptions& options, const RowSink& sink);
 /// The same with so many steps in numerics.time_step(), and without History::step_effect.
 [[nodiscard]] History boundary_integral_history(const data::Case& problem, const Sampling& sampling,
                                                 int steps_per_time_step);

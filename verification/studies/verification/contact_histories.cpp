@@ -44,8 +44,7 @@ struct SampledHistory {
 
 // A run with a bonded tip, of which every `stride`-th step is kept.
 SampledHistory bonded_history(const data::Case& problem, long stride) {
-  solver::BeamSimulation simulation(
-      problem, {.contact = solver::TipContact::bonded, .coordinates = solver::Coordinates::fastest});
+  solver::BeamSimulation simulation(problem, {.is_bonded = true});
   const long steps = solver::step_count(problem.numerics.duration(), problem.numerics.time_step());
   SampledHistory history;
   for (long n = 0; n <= steps; ++n) {

@@ -13,7 +13,8 @@ namespace {
 
 solver::EnergyBalance stepped_balance(const data::Case& problem, double duration, int elements,
                                       double time_step) {
-  solver::BeamSimulation simulation(refined(problem, elements, time_step, duration, 1.0));
+  solver::BeamSimulation simulation(refined(problem, elements, time_step, duration, 1.0),
+                                    {.coordinates = solver::Coordinates::nodal});
   solver::EnergyRecorder recorder(simulation.integrator());
   simulation.integrator().observe(
       [&recorder](const solver::StickSlipIntegrator& now) { recorder.record(now); });
@@ -91,7 +92,7 @@ double SchemeRun::relative_residual() const { return energy.residual() / energy.
 std::vector<SchemeRun> compare_schemes(const data::Case& problem) {
   std::vector<SchemeRun> runs;
   for (const auto scheme : {ContactScheme::located, ContactScheme::end_of_step, ContactScheme::paper}) {
-    solver::BeamSimulation simulation(problem, {.scheme = scheme});
+    solver::BeamSimulation simulation(problem, {.scheme = scheme, .coordinates = solver::Coordinates::nodal});
     solver::EnergyRecorder recorder(simulation.integrator());
     simulation.integrator().observe(
         [&recorder](const solver::StickSlipIntegrator& now) { recorder.record(now); });

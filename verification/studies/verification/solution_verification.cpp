@@ -171,7 +171,8 @@ void add_figure9(const data::Case& paper, std::vector<Plan>& plans) {
   const double midspan = 0.5 * paper.beam().length();
   const analytic::StickResponse exact(paper.beam(), excitation, reference_modes, analytic::SteadyPart::exact);
   const auto peak = [=](const Settings& at, double (solver::BeamSimulation::*quantity)() const) {
-    solver::BeamSimulation run(with(paper, excitation, at), {.contact = solver::TipContact::bonded});
+    solver::BeamSimulation run(with(paper, excitation, at),
+                               {.is_bonded = true, .coordinates = solver::Coordinates::nodal});
     double largest = std::abs((run.*quantity)());
     for (long n = solver::step_count(figure9_duration, at.time_step()); n > 0; --n) {
       run.integrator().step();

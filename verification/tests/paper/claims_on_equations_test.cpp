@@ -183,7 +183,7 @@ TEST(Equation4, StickLastsUpToTheLimit) {
     run.integrator().step();
   }
   const double onset = run.integrator().events().front().time;
-  solver::BeamSimulation bonded = run_at(25.0, 1e-3, {.contact = solver::TipContact::bonded});
+  solver::BeamSimulation bonded = run_at(25.0, 1e-3, {.is_bonded = true});
   while (bonded.integrator().time() < onset) bonded.integrator().step();
   const double after = std::abs(bonded.friction_force());
   judge("eq4.until",

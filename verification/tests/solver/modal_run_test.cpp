@@ -16,9 +16,7 @@ namespace {
 using solver::BeamModel;
 using solver::BeamSimulation;
 using solver::Coordinates;
-using solver::InitialVelocity;
 using solver::ModalStickRun;
-using solver::TipContact;
 
 data::NumericalSettings settings(int elements, double spectral_radius) {
   auto choices = paper_choices(1.0);
@@ -32,8 +30,10 @@ struct History {
 };
 
 // f and u(L/2) by the plain loop.
-History plain_history(const data::Case& problem, InitialVelocity initial_velocity, long steps) {
-  BeamSimulation run(problem, {.contact = TipContact::bonded, .initial_velocity = initial_velocity});
+History plain_history(const data::Case& problem, bool starts_with_the_base, long steps) {
+  BeamSimulation run(problem, {.is_bonded = true,
+                               .starts_with_the_base = starts_with_the_base,
+                               .coordinates = Coordinates::nodal});
   History history;
   const auto note = [&] {
     history.force.push_back(run.friction_force());
@@ -57,14 +57,14 @@ Tolerance rounding_of_the_plain_loop(const data::Beam& beam, int elements, const
 STICKSLIP_VERIFIES(ModalStickRun, "F11");
 TEST(ModalStickRun, ReproducesTheNodalHistory) {
   for (const double radius : {0.0, 0.5, 0.9, 1.0})
-    for (const auto velocity : {InitialVelocity::quasi_static, InitialVelocity::zero})
+    for (const bool with_the_base : {false, true})
       for (const auto& [elements, axial_force] : {std::pair{20, 500.0}, {7, 75000.0}, {3, -2000.0}}) {
         SCOPED_TRACE(fmt::format("radius {}, {} elements, P = {}", radius, elements, axial_force));
         constexpr long steps = 2000;
         const data::Beam beam = paper_beam_with_axial_force(axial_force);
         const data::Case problem = with(paper_problem(35.0, 0.5e-3), beam, settings(elements, radius));
-        const History plain = plain_history(problem, velocity, steps);
-        const ModalStickRun run(problem, velocity);
+        const History plain = plain_history(problem, with_the_base, steps);
+        const ModalStickRun run(problem, {.starts_with_the_base = with_the_base});
         const auto force = run.friction_force(steps);
         ASSERT_EQ(force.size(), plain.force.size());
         EXPECT_TRUE(within(studies::largest_difference(force, plain.force), 0.0,
@@ -93,9 +93,9 @@ TEST(ModalStickRun, RefusesABuckledBeam) {
 }
 
 // The beam of the paper where it slips.
-BeamSimulation slipping_run(const data::NumericalSettings& numerics, const solver::BeamRun& run = {},
+BeamSimulation slipping_run(const data::NumericalSettings& numerics, const solver::RunOptions& options = {},
                             const data::Damping& damping = {}) {
-  return BeamSimulation(with(paper_problem(25.0, 1e-3), numerics, damping), run);
+  return BeamSimulation(with(paper_problem(25.0, 1e-3), numerics, damping), options);
 }
 
 struct SlipRun {
@@ -138,7 +138,7 @@ TEST(ModalSteps, HaveTheHistoryOfTheNodalRun) {
 TEST(ModalSteps, StopWhereTheStateIsNotFinite) {
   for (const Coordinates coordinates : {Coordinates::nodal, Coordinates::modal}) {
     BeamSimulation run(with(paper_problem(1000.0, 1e303), settings(20, 0.9)),
-                       {.contact = TipContact::bonded, .coordinates = coordinates});
+                       {.is_bonded = true, .coordinates = coordinates});
     const std::string message = error_message_of<std::runtime_error>([&] {
       while (run.integrator().steps() < 100) run.integrator().step();
     });
@@ -158,7 +158,7 @@ TEST(ModalSteps, RefusesDampingAndCoupling) {
   const BeamModel model(paper_beam(), 4);
   const auto nodal = beam_contact_system(model, paper_problem(25.0, 1e-3));
   const solver::IntegratorSettings modal_steps{
-      .time_step = 1e-4, .spectral_radius = 0.9, .algebra = solver::StepAlgebra::modal};
+      .time_step = 1e-4, .spectral_radius = 0.9, .coordinates = Coordinates::modal};
   EXPECT_THROW(solver::StickSlipIntegrator(nodal, modal_steps), std::invalid_argument);
 
   const solver::ContactSystem modal =
@@ -192,16 +192,15 @@ TEST(FastestCoordinates, AreModalOnSmallMeshes) {
 TEST(FastestCoordinates, AreThoseOfARun) {
   // Bit for bit: a run by either name takes the same steps.
   const data::NumericalSettings numerics(paper_choices(0.05));
-  const auto tip = [&](Coordinates coordinates, solver::ContactScheme scheme) {
+  const auto tip = [&](std::optional<Coordinates> coordinates, solver::ContactScheme scheme) {
     BeamSimulation run = slipping_run(numerics, {.scheme = scheme, .coordinates = coordinates});
     while (run.integrator().steps() < 500) run.integrator().step();
     return run.friction_force();
   };
   using solver::ContactScheme;
-  EXPECT_EQ(tip(Coordinates::fastest, ContactScheme::located),
-            tip(Coordinates::modal, ContactScheme::located));
+  EXPECT_EQ(tip(std::nullopt, ContactScheme::located), tip(Coordinates::modal, ContactScheme::located));
   EXPECT_NE(tip(Coordinates::nodal, ContactScheme::located), tip(Coordinates::modal, ContactScheme::located));
-  EXPECT_EQ(tip(Coordinates::fastest, ContactScheme::paper), tip(Coordinates::nodal, ContactScheme::paper));
+  EXPECT_EQ(tip(std::nullopt, ContactScheme::paper), tip(Coordinates::nodal, ContactScheme::paper));
   EXPECT_THROW(tip(Coordinates::modal, ContactScheme::paper), std::logic_error);
 }
 

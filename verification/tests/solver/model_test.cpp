@@ -107,7 +107,8 @@ data::Case coarse_case(const data::HarmonicExcitation& excitation, double durati
 
 STICKSLIP_VERIFIES(BeamSimulation, "F7");
 TEST(BeamSimulation, HandsOnItsNumerics) {
-  solver::BeamSimulation simulation(coarse_case(slipping_excitation));
+  solver::BeamSimulation simulation(coarse_case(slipping_excitation),
+                                    {.coordinates = solver::Coordinates::nodal});
   const solver::BeamModel model(paper_beam(), 8);
   const data::Case problem = coarse_case(slipping_excitation);
   solver::StickSlipIntegrator integrator(
@@ -128,7 +129,8 @@ TEST(BeamSimulation, HandsOnItsNumerics) {
 }
 
 TEST(BeamSimulation, IsInTheFixedFrame) {
-  solver::BeamSimulation simulation(coarse_case(slipping_excitation));
+  solver::BeamSimulation simulation(coarse_case(slipping_excitation),
+                                    {.coordinates = solver::Coordinates::nodal});
   for (int n = 0; n < 100; ++n) simulation.integrator().step();
   // 25 Hz at 10 ms: h = A0 sin(pi/2).
   EXPECT_TRUE(within(simulation.base_displacement(), 1e-3, round_off(4, 1, 1e-3)));
@@ -157,7 +159,8 @@ TEST(BeamSimulation, StepCountIsTheNearest) {
 TEST(BeamSimulation, LargestForceIsOneOfEitherSign) {
   // At 70 Hz the peak of the first 10 ms is positive, that of the first 20 ms negative.
   const data::HarmonicExcitation excitation({70.0, 0.5e-3});
-  solver::BeamSimulation bonded(coarse_case(excitation), {.contact = solver::TipContact::bonded});
+  solver::BeamSimulation bonded(coarse_case(excitation),
+                                {.is_bonded = true, .coordinates = solver::Coordinates::nodal});
   double highest = 0.0, lowest = 0.0;
   const auto run_until = [&](double end) {
     while (bonded.integrator().time() < end - 0.5e-4) {
@@ -181,7 +184,7 @@ TEST(BeamSimulation, EveryRunTakesItsDamping) {
   const data::Damping damping({.kelvin_voigt = 6.4e-5, .ratio = 0.01});
   const data::Case undamped = coarse_case(slipping_excitation), damped = with(undamped, damping);
   solver::BeamSimulation simulation(damped);
-  solver::BeamSimulation bonded(damped, {.contact = solver::TipContact::bonded});
+  solver::BeamSimulation bonded(damped, {.is_bonded = true});
   const Eigen::MatrixXd expected = solver::damping_matrix(simulation.model(), damping);
   EXPECT_EQ(Eigen::MatrixXd(simulation.integrator().system().damping), expected);
   double largest = 0.0;

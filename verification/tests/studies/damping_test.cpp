@@ -21,7 +21,7 @@ TEST(DampedSteppedResponse, StartsAsTheClosedForm) {
     choices.time_step = 1e-4 / (level == 0 ? 1.0 : 4.0);
     solver::BeamSimulation beam(
         with(paper_problem(v.hz, v.amplitude), v.beam(), data::NumericalSettings(choices), v.damping),
-        {.contact = solver::TipContact::bonded});
+        {.is_bonded = true});
     std::vector<double> forces;
     for (int n = 0; n < 2000; ++n) {
       for (int i = 0; i < (level == 0 ? 1 : 4); ++i) beam.integrator().step();

@@ -65,7 +65,7 @@ studies::RowSink rows_at(const std::vector<double>& times, double step, std::vec
 using Times = std::vector<double>;
 
 Found found_by_elements(const data::Case& problem, const Times& times) {
-  solver::BeamSimulation run(problem);
+  solver::BeamSimulation run(problem, {.coordinates = solver::Coordinates::nodal});
   solver::EnergyRecorder recorder(run.integrator());
   run.integrator().observe([&recorder](const solver::StickSlipIntegrator& now) { recorder.record(now); });
   Found found;
@@ -412,8 +412,8 @@ TEST(MethodRefusals, AreThoseOfTheTable) {
     const auto features = features_of(problem);
     for (const studies::Method& method : studies::methods()) {
       SCOPED_TRACE(method.name);
-      const auto message = [&](const studies::RunChoices& choices) {
-        return error_message_if_any<data::FieldError>([&] { method.require(problem, choices); }).value_or("");
+      const auto message = [&](const solver::RunOptions& options) {
+        return error_message_if_any<data::FieldError>([&] { method.require(problem, options); }).value_or("");
       };
       const std::string refusal = message({});
       EXPECT_EQ(!refusal.empty(), std::ranges::any_of(features, [&](const auto& each) {
@@ -426,7 +426,7 @@ TEST(MethodRefusals, AreThoseOfTheTable) {
                                                          }))
           << refusal;
       if (!refusal.empty()) continue;
-      EXPECT_EQ(message({.initial_velocity = solver::InitialVelocity::zero}) != "",
+      EXPECT_EQ(message({.starts_with_the_base = true}) != "",
                 method.refused.contains(Feature::start_at_rest));
       EXPECT_EQ(message({.scheme = solver::ContactScheme::located}) != "",
                 method.refused.contains(Feature::contact_scheme));

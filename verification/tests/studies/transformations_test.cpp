@@ -140,12 +140,13 @@ data::NumericalSettings settings(const data::Case& problem, double periods) {
 }
 
 /// The time stepper on a base with any motion, started as a BeamSimulation is.
-std::unique_ptr<solver::StickSlipIntegrator> started(
-    const data::Case& problem, const solver::PrescribedMotion& base,
-    const solver::IntegratorSettings& settings, solver::TipContact contact = solver::TipContact::friction) {
+std::unique_ptr<solver::StickSlipIntegrator> started(const data::Case& problem,
+                                                     const solver::PrescribedMotion& base,
+                                                     const solver::IntegratorSettings& settings,
+                                                     bool is_bonded = false) {
   const solver::BeamModel model(problem.beam(), mesh_elements);
   solver::ContactSystem system = solver::beam_contact_system(model, problem, base);
-  if (contact == solver::TipContact::bonded) system.normal_force = solver::bonding_force;
+  if (is_bonded) system.normal_force = solver::bonding_force;
   auto integrator = std::make_unique<solver::StickSlipIntegrator>(system, settings);
   integrator->start_stuck(Eigen::VectorXd::Zero(model.degrees_of_freedom()),
                           -base.velocity(0.0) * model.unit_tip_deflection());
@@ -255,9 +256,8 @@ std::vector<Quantity> band_maximum(const Scene& scene) {
 /// of forces of stiff elements, by n^4 eps; a random walk.
 std::vector<Quantity> stepped_reaction(const Scene& scene) {
   const auto numerics = settings(scene.problem, 0.7);
-  const auto run =
-      started(scene.problem, solver::base_motion(scene.problem.motion),
-              {.time_step = numerics.time_step(), .spectral_radius = 0.9}, solver::TipContact::bonded);
+  const auto run = started(scene.problem, solver::base_motion(scene.problem.motion),
+                           {.time_step = numerics.time_step(), .spectral_radius = 0.9}, true);
   for (long n = solver::step_count(numerics.duration(), numerics.time_step()); n > 0; --n) run->step();
   std::vector<Quantity> quantities{{run->friction_force(), force}};
   for (Eigen::Index i = 0; i < run->displacement().size(); i += 2)

@@ -46,8 +46,7 @@ inline bool criterion_slips(double hz, double amplitude) {
 }
 
 /// A run of finite elements with the settings of the paper.
-inline solver::BeamSimulation run_at(double hz, double amplitude, solver::BeamRun options = {}) {
-  options.coordinates = solver::Coordinates::fastest;
+inline solver::BeamSimulation run_at(double hz, double amplitude, const solver::RunOptions& options = {}) {
   return solver::BeamSimulation(with(paper(), excitation(hz, amplitude)), options);
 }
 

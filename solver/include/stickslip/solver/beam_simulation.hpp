@@ -10,31 +10,14 @@
 
 namespace stickslip::solver {
 
-/// The velocity field at t = 0.
-enum class InitialVelocity {
-  quasi_static,  ///< u_t(x,0) = S(x) h_t(0), S from the mesh: what Eq. (26) of the paper assumes (erratum E4)
-  zero  ///< u_t(x,0) = 0 for x < L, the letter of Sect. 3: an impulsive reaction that grows with the mesh
-};
-
-/// What happens at the tip.
-enum class TipContact {
-  friction,  ///< the contact of the paper
-  bonded     ///< the tip never slips: the linear stick state for all time
-};
-
-/// The coordinates of a run. Their results differ by rounding only.
-enum class Coordinates {
-  nodal,  ///< deflections and rotations of the nodes: sparse matrices, cost linear in the elements
-  modal,  ///< those of a HeldTipBasis: ten times as fast and more, without damping only; all modes are found first
-  fastest  ///< what fastest_coordinates() chooses
-};
-
 /// What a run of a case may do differently from the paper's.
-struct BeamRun {
-  TipContact contact{TipContact::friction};
-  InitialVelocity initial_velocity{InitialVelocity::quasi_static};
-  ContactScheme scheme{ContactScheme::located};
-  Coordinates coordinates{Coordinates::nodal};
+struct RunOptions {
+  bool is_bonded{};  ///< the tip never slips: the linear stick state for all time
+  /// u_t(x,0) = 0 for x < L, the letter of Sect. 3: an impulsive reaction that grows with the mesh. Else u_t(x,0) = S(x) h_t(0),
+  /// the quasi-static start with S from the mesh: what Eq. (26) of the paper assumes (erratum E4).
+  bool starts_with_the_base{};
+  std::optional<ContactScheme> scheme{};     ///< else located
+  std::optional<Coordinates> coordinates{};  ///< else fastest_coordinates()
 };
 
 /// Modal without damping on at most 200 elements, whose modes cost less than some ten thousand steps; nodal elsewhere, and
@@ -75,14 +58,14 @@ class BeamSimulation {
   /// Of the numerics, uses elements, time_step, spectral_radius and velocity_threshold. Throws what damping_matrix()
   /// throws, and data::FieldError
   ///
-  ///   - naming beam.axial_force, if P is at or over the buckling load, or if P ≤ 0 with TipContact::friction;
+  ///   - naming beam.axial_force, if P is at or over the buckling load, or if P ≤ 0 unless the tip is bonded;
   ///   - if ContactScheme::paper has no velocity threshold;
   ///   - if Coordinates::modal has damping;
-  ///   - if a contact that is not rigid has a jump of the friction law, another scheme than located, TipContact::bonded,
+  ///   - if a contact that is not rigid has a jump of the friction law, another scheme than located, a bonded tip,
   ///     or a spring that rounding would load by more than 1e-4 of the limit.
   ///
   /// Throws std::logic_error for Coordinates::modal with ContactScheme::paper.
-  explicit BeamSimulation(const data::Case& problem, const BeamRun& run = {});
+  explicit BeamSimulation(const data::Case& problem, const RunOptions& options = {});
 
   [[nodiscard]] double base_displacement() const;                                         ///< h, m
   [[nodiscard]] double displacement(double x) const;                                      ///< y(x), m
@@ -110,10 +93,10 @@ class BeamSimulation {
 /// max |f| over the grid times 0 ... duration with the tip bonded, N: finite-element |f_max| of Eqs. (29), (30).
 /// In modal coordinates by ModalStickRun. Uses neither the friction law nor the contact nor the speed of the wall.
 [[nodiscard]] double max_abs_friction_force(const data::Case& problem,
-                                            Coordinates coordinates = Coordinates::fastest);
+                                            std::optional<Coordinates> coordinates = {});
 
 /// The time of the first slip, s, or nothing if the tip stays stuck for numerics.duration().
 [[nodiscard]] std::optional<double> first_slip(const data::Case& problem,
-                                               Coordinates coordinates = Coordinates::fastest);
+                                               std::optional<Coordinates> coordinates = {});
 
 }  // namespace stickslip::solver

@@ -36,7 +36,7 @@ struct HeldTipBasis {
 [[nodiscard]] Eigen::VectorXd modal_coordinates(const BeamModel& model, const HeldTipBasis& basis,
                                                 const Eigen::VectorXd& nodal);
 
-/// The beam_contact_system() of the model in the coordinates of the basis, without its damping: what StepAlgebra::modal
+/// The beam_contact_system() of the model in the coordinates of the basis, without its damping: what Coordinates::modal
 /// takes.
 [[nodiscard]] ContactSystem modal_contact_system(const BeamModel& model, const HeldTipBasis& basis,
                                                  ContactSystem system);

@@ -12,7 +12,7 @@
 
 namespace stickslip::solver {
 
-/// The undamped linear stick run of BeamSimulation with TipContact::bonded, fast: the same grid, the same
+/// The undamped linear stick run of a bonded BeamSimulation, fast: the same grid, the same
 /// method, the same numbers to rounding.
 ///
 /// In the modes of the mesh with its tip held (HeldTipBasis) the generalised-alpha method is one recurrence per
@@ -28,11 +28,10 @@ namespace stickslip::solver {
 /// matrix product for all blocks of B steps, whose states follow from each other by T^B.
 class ModalStickRun {
  public:
-  /// Uses beam, motion, and of the numerics elements, time_step and spectral_radius. Needs all modes of the mesh, whose cost
-  /// grows as the cube of the elements. Throws data::FieldError, naming beam.axial_force, if P is at or over
+  /// Uses beam, motion, and of the numerics elements, time_step and spectral_radius, and how the run starts. Needs all modes of the
+  /// mesh, whose cost grows as the cube of the elements. Throws data::FieldError, naming beam.axial_force, if P is at or over
   /// the buckling load.
-  explicit ModalStickRun(const data::Case& problem,
-                         InitialVelocity initial_velocity = InitialVelocity::quasi_static);
+  explicit ModalStickRun(const data::Case& problem, const RunOptions& options = {});
 
   /// f at t_0 ... t_steps, N, sign of Eq. (28).
   [[nodiscard]] std::vector<double> friction_force(long steps) const;

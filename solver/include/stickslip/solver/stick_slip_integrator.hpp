@@ -30,10 +30,10 @@ enum class ContactScheme {
   paper
 };
 
-/// What solves the equations of a step. Both give the same numbers up to rounding.
-enum class StepAlgebra {
-  sparse,  ///< factorised sparse matrices, for any system
-  modal    ///< passes over the modes, for systems of the form of modal_contact_system()
+/// The coordinates of a run, and what solves the equations of a step. Both give the same numbers up to rounding.
+enum class Coordinates {
+  nodal,  ///< any, as deflections and rotations of nodes: factorised sparse matrices, cost linear in their number
+  modal  ///< those of modal_contact_system(): passes over the modes, ten times as fast and more, without damping
 };
 
 struct IntegratorSettings {
@@ -43,7 +43,7 @@ struct IntegratorSettings {
   /// that begins and does not exceed it within the step is captured at its end, by an impact.
   double velocity_threshold{};
   ContactScheme scheme{ContactScheme::located};
-  StepAlgebra algebra{StepAlgebra::sparse};
+  Coordinates coordinates{Coordinates::nodal};
 };
 
 /// What a step must know of the contact.

@@ -17,7 +17,7 @@ int main(int argc, char** argv) {
   std::cout << "critical amplitude / m: " << data::shortest_text(criterion.critical_amplitude.midpoint())
             << '\n';
 
-  solver::BeamSimulation simulation(problem, {.coordinates = solver::Coordinates::fastest});
+  solver::BeamSimulation simulation(problem);
   simulation.integrator().step();
   std::cout << "midspan / m: " << data::shortest_text(simulation.midspan_displacement()) << '\n'
             << "friction force / N: " << data::shortest_text(simulation.friction_force()) << '\n';
