@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "stickslip/data/problem.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -188,26 +189,28 @@ NumericalSettings::NumericalSettings(const NumericalChoices& choices) : choices_
                      "at most a billion times numerics.time_step, which is " + shortest_text(time_step()));
 }
 
+std::span<const FeatureKey> feature_keys() {
+  static constexpr std::array keys{
+      FeatureKey{"damping.kelvin_voigt", Feature::kelvin_voigt,
+                 [](const Case& of) { return of.damping.kelvin_voigt(); }},
+      FeatureKey{"damping.ratio", Feature::damping_ratio, [](const Case& of) { return of.damping.ratio(); }},
+      FeatureKey{"contact.tangential_stiffness", Feature::yielding_contact,
+                 [](const Case& of) { return of.contact.compliance.tangential_stiffness(); },
+                 std::numeric_limits<double>::infinity()},
+      FeatureKey{"contact.regularisation_velocity", Feature::yielding_contact,
+                 [](const Case& of) { return of.contact.compliance.regularisation_velocity(); }},
+      FeatureKey{"wall.speed", Feature::moving_wall, [](const Case& of) { return of.contact.wall.speed(); }},
+      FeatureKey{"beam.shear_stiffness", Feature::shear,
+                 [](const Case& of) { return of.beam().shear_stiffness(); }},
+      FeatureKey{"beam.axial_direction", Feature::fixed_axial_force,
+                 [](const Case& of) { return of.beam().axial_direction(); }}};
+  return keys;
+}
+
 bool Case::has(Feature feature) const noexcept {
-  switch (feature) {
-    case Feature::kelvin_voigt:
-      return damping.kelvin_voigt() > 0.0;
-    case Feature::damping_ratio:
-      return damping.ratio() > 0.0;
-    case Feature::yielding_contact:
-      return !contact.compliance.is_rigid();
-    case Feature::moving_wall:
-      return contact.wall.speed() != 0.0;
-    case Feature::shear:
-      return beam().shear_stiffness() > 0.0;
-    case Feature::fixed_axial_force:
-      return beam().axial_direction() > 0.0;
-    case Feature::slip:
-    case Feature::start_at_rest:
-    case Feature::contact_scheme:
-      return false;
-  }
-  return false;
+  return std::ranges::any_of(feature_keys(), [&](const FeatureKey& key) {
+    return key.feature == feature && key.value(*this) != key.plain;
+  });
 }
 
 }  // namespace stickslip::data

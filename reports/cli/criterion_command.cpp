@@ -99,7 +99,7 @@ void add_outlook(Answer& answer, const studies::CriterionAnswer& found, double f
 Answer answer_of(const data::Case& problem, const studies::CriterionAnswer& found) {
   Answer answer;
   const data::Damping& damping = problem.damping;
-  const bool is_damped = !problem.damping.is_none();
+  const bool is_damped = !damping.is_none();
   add_excitation(answer, problem);
   answer.add_members({{"duration_s", problem.numerics.duration()}, {"modes", problem.numerics.modes()}});
   if (is_damped)

@@ -52,7 +52,6 @@ std::string drawing(const data::Case& problem, const ModesOptions& options,
 Answer answer_of(const data::Case& problem, const ModesOptions& options,
                  const std::vector<studies::EstimatedFrequency>& frequencies) {
   Answer answer;
-  const bool is_damped = !problem.damping.is_none();
   answer.add_members({{"state", options.state}, {"method", options.method}});
   if (options.is_mesh()) answer.add_members({{"elements", problem.numerics.elements()}});
   answer.add_line(fmt::format(
@@ -66,7 +65,7 @@ Answer answer_of(const data::Case& problem, const ModesOptions& options,
                                 significant(frequency.hz, digits_that_hold(frequency.relative_error))));
   }
   answer.add_members({{"frequencies_hz", hz}, {"relative_error_estimates", errors}});
-  if (is_damped) {
+  if (!problem.damping.is_none()) {
     answer.add_line("\nThese are the undamped frequencies; the damping of the case is left out.");
     answer.add_members({{"undamped", true}});
   }

@@ -61,7 +61,7 @@ Answer respond(const RespondOptions& options, Outputs& outputs) {
   const studies::Method& method = studies::method(options.method);
   solver::RunOptions run{.starts_with_the_base = options.initial_velocity == "zero"};
   if (options.scheme) run.scheme = studies::contact_schemes().at(*options.scheme);
-  if (!options.history.events.empty()) method.require(studies::Feature::slip, "--method", method.name);
+  if (!options.history.events.empty()) method.require(data::Feature::slip, "--method", method.name);
   method.require(problem, run);
   studies::require_held_growth(problem, method.inquiry);
   outputs.about(problem);

@@ -108,7 +108,7 @@ Answer answer_of(const studies::Squeal& squeal, const studies::Cycle& cycle) {
 // A damping ratio is that of the modes of the case, which with the deflection of the tip have one root more.
 void require_modes(const data::Case& problem, int modes) {
   const int most = problem.numerics.modes() + 1;
-  if (problem.damping.ratio() > 0.0 && modes > most)
+  if (problem.has(data::Feature::damping_ratio) && modes > most)
     throw data::FieldError(
         "--modes", modes, fmt::format("at most {} with a damping.ratio: one more than numerics.modes", most));
 }

@@ -698,7 +698,7 @@ class Search {
   // small errors grow.
   [[nodiscard]] double end_of(Quantity quantity, const data::Case& problem) const {
     const bool is_history = is_stick_slip_history(quantity) && reference_.resource.stated.tip != "held";
-    const double periods = !problem.damping.is_none() ? 5.0 : 3.0;
+    const double periods = problem.damping.is_none() ? 3.0 : 5.0;
     return is_history ? periods / problem.excitation().frequency_hz()
                       : std::numeric_limits<double>::infinity();
   }

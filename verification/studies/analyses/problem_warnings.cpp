@@ -269,7 +269,7 @@ std::optional<Warning> growth_warning(const data::Case& problem, Inquiry inquiry
   if (!stepped && inquiry != Inquiry::event_driven_history) return std::nullopt;
   if (problem.contact.compliance.has_spring()) return std::nullopt;  // σ* is that of a law without memory
   if ((stepped ? numerics.elements() : numerics.modes()) >
-      (!problem.damping.is_none() ? most_damped_for_growth : most_undamped_for_growth))
+      (problem.damping.is_none() ? most_undamped_for_growth : most_damped_for_growth))
     return std::nullopt;
   const auto contact = [&] {
     if (!stepped) return continuous_contact(analytic::BeamContactModel(problem, numerics.modes()).model());
@@ -282,12 +282,12 @@ std::optional<Warning> growth_warning(const data::Case& problem, Inquiry inquiry
   if (grows_at_most(contact, kappa, allowed)) return std::nullopt;
   const double run_bound = growth_bound(contact, kappa);
   const double beam_bound =
-      beam_growth_bound(without_shear(problem.beam()), problem.contact.friction,
-                        data::Damping({.kelvin_voigt = problem.damping.kelvin_voigt()}));
+      beam_growth_bound(with(problem, without_shear(problem.beam()),
+                             data::Damping({.kelvin_voigt = problem.damping.kelvin_voigt()})));
   const auto rate = [](double value) {
     return value < 100.0 ? fmt::format("{:.3g} 1/s", value) : fmt::format("{:.0f} 1/s", value);
   };
-  const bool is_beam_known = problem.damping.ratio() == 0.0;
+  const bool is_beam_known = !problem.has(data::Feature::damping_ratio);
   std::string sentence = fmt::format(
       "the contact changes, and sigma* is {}: by the bound exp(sigma* t) a rounding error may grow to the "
       "size of the motion within {:.2g} s; for the {} sigma* is {}",

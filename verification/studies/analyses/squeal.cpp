@@ -127,7 +127,7 @@ Squeal squeal_of(const data::Case& problem, int modes) {
                 .friction_force = steady.friction_force,
                 .tip_displacement = steady.tip_displacement,
                 .finite_element_displacement = {},
-                .all_modes = problem.damping.ratio() == 0.0,
+                .all_modes = !problem.has(data::Feature::damping_ratio),
                 .modes = {},
                 .resolved_modes = 0,
                 .resolved_hz = resolved_frequency(problem),

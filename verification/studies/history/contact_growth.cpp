@@ -111,20 +111,22 @@ double growth_bound(const LinearContact& contact, double kappa) {
   return high;
 }
 
-LinearContact continuous_contact(const data::Beam& beam, const data::Damping& damping) {
-  LinearContact contact{.mobility = analytic::TipMobility(beam, damping), .frequencies = {0.0}};
+LinearContact continuous_contact(const data::Case& problem) {
+  const data::Beam& beam = problem.beam();
+  LinearContact contact{.mobility = analytic::TipMobility(beam, problem.damping), .frequencies = {0.0}};
   const double mass_per_length = beam.density() * beam.area();
   const double scale = std::sqrt(beam.youngs_modulus() * beam.second_moment_of_area() / mass_per_length);
   constexpr int highest_mode = 40;
   add_frequencies_of_the_beam(beam, scale * std::pow(highest_mode * pi / beam.length(), 2),
                               contact.frequencies);
-  if (damping.kelvin_voigt() == 0.0) contact.limiting_mass = mass_per_length * beam.length() / 4.0;
+  if (!problem.has(data::Feature::kelvin_voigt))
+    contact.limiting_mass = mass_per_length * beam.length() / 4.0;
   return contact;
 }
 
-double beam_growth_bound(const data::Beam& beam, const data::FrictionLaw& friction,
-                         const data::Damping& damping) {
-  return growth_bound(continuous_contact(beam, damping), weakening(friction, beam.axial_force()));
+double beam_growth_bound(const data::Case& problem) {
+  return growth_bound(continuous_contact(problem),
+                      weakening(problem.contact.friction, problem.normal_force()));
 }
 
 LinearContact continuous_contact(const solver::ContactMobility& mobility) {

@@ -49,12 +49,11 @@ struct LinearContact {
 /// Whether σ* ≤ σ: one search, with σ > 0.
 [[nodiscard]] bool grows_at_most(const LinearContact& contact, double kappa, double sigma);
 
-/// The beam itself, with the frequencies up to mode 40 and the limit above. Throws what TipMobility throws.
-[[nodiscard]] LinearContact continuous_contact(const data::Beam& beam, const data::Damping& damping = {});
+/// The damped beam of a case itself, with the frequencies up to mode 40 and the limit above. Throws what TipMobility throws.
+[[nodiscard]] LinearContact continuous_contact(const data::Case& problem);
 
 /// σ* of the continuous beam, 1/s. Throws what TipMobility throws.
-[[nodiscard]] double beam_growth_bound(const data::Beam& beam, const data::FrictionLaw& friction,
-                                       const data::Damping& damping = {});
+[[nodiscard]] double beam_growth_bound(const data::Case& problem);
 
 /// A ContactSystem in continuous time.
 [[nodiscard]] LinearContact continuous_contact(const solver::ContactMobility& mobility);

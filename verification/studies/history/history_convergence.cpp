@@ -299,7 +299,7 @@ HistoryRefinement history_refinement(const data::Case& problem, const ConvergedH
   HistoryRefinement refinement;
   refinement.rule = rule;
   refinement.frequency_hz = problem.excitation().frequency_hz();
-  refinement.beam_growth_bound = beam_growth_bound(problem.beam(), problem.contact.friction);
+  refinement.beam_growth_bound = beam_growth_bound(with(problem, data::Damping()));
   std::vector<double> lengths, errors;
   for (const int count : elements) {
     refinement.runs.push_back(history_run(problem, reference, count,

@@ -17,6 +17,8 @@ namespace stickslip::studies {
 
 namespace {
 
+using data::Feature;
+
 const std::vector<std::pair<Feature, std::string_view>> features{
     {Feature::slip, "slip, and changes of contact (`--events`)"},
     {Feature::kelvin_voigt, "`damping.kelvin_voigt`"},
@@ -115,20 +117,19 @@ void Method::require(Feature feature, std::string_view field, const std::string&
 }
 
 void Method::require(const data::Case& problem, const solver::RunOptions& options) const {
-  const auto require_zero = [&](Feature feature, std::string_view field, double value) {
-    if (value != 0.0) require(feature, field, data::shortest_text(value));
-  };
   if (options.starts_with_the_base) require(Feature::start_at_rest, "--initial-velocity", "zero");
   if (options.scheme) require(Feature::contact_scheme, "--method", name);
-  require_zero(Feature::kelvin_voigt, "damping.kelvin_voigt", problem.damping.kelvin_voigt());
-  require_zero(Feature::damping_ratio, "damping.ratio", problem.damping.ratio());
-  if (const auto reason = refused.find(Feature::yielding_contact); reason != refused.end())
-    data::require_rigid(problem.contact.compliance, fmt::format(fmt::runtime(reason->second), name));
+  for (const data::FeatureKey& key : data::feature_keys()) {
+    const double value = key.value(problem);
+    if (value == key.plain || !refused.contains(key.feature)) continue;
+    if (key.feature == Feature::yielding_contact)
+      data::require_rigid(problem.contact.compliance,
+                          fmt::format(fmt::runtime(refused.at(key.feature)), name));
+    require(key.feature, key.path, data::shortest_text(value));
+  }
   for (const auto& [scheme, value] : contact_schemes())
     if (options.scheme == value && value != solver::ContactScheme::located)
       data::require_rigid(problem.contact.compliance, "--scheme " + scheme);
-  require_zero(Feature::moving_wall, "wall.speed", problem.contact.wall.speed());
-  require_zero(Feature::shear, "beam.shear_stiffness", problem.beam().shear_stiffness());
   require_feasible(problem);
 }
 

@@ -30,25 +30,12 @@ enum class Inquiry {
   design            ///< |f_max| over a band up to the excitation frequency of the case
 };
 
-/// What not every method can do.
-enum class Feature {
-  slip,               ///< the motion after the first slip, with its changes of contact
-  kelvin_voigt,       ///< damping.kelvin_voigt
-  damping_ratio,      ///< damping.ratio
-  yielding_contact,   ///< a spring or a smooth law of friction, [contact]
-  moving_wall,        ///< wall.speed
-  shear,              ///< beam.shear_stiffness
-  fixed_axial_force,  ///< beam.axial_direction
-  start_at_rest,      ///< u_t(x,0) = 0
-  contact_scheme      ///< a choice of solver::ContactScheme
-};
-
 /// One method.
 struct Method {
   std::string name{};
   Inquiry inquiry{};
   /// What it cannot do. The text, with the reason, is the end of the error message "<field> is <value>, but must be".
-  std::map<Feature, std::string> refused{};
+  std::map<data::Feature, std::string> refused{};
   /// Throws data::FieldError, naming excitation.duration, for a history that would take more than minutes.
   void (*require_feasible)(const data::Case& problem){};
   /// The history of a case that require() accepts. With a sink, rows go there as they come, and History::rows is empty.
@@ -59,7 +46,7 @@ struct Method {
   bool in_time_steps{};
 
   /// Throws data::FieldError if the method cannot do the feature, which the field with that value asks for.
-  void require(Feature feature, std::string_view field, const std::string& value) const;
+  void require(data::Feature feature, std::string_view field, const std::string& value) const;
   /// Throws data::FieldError for a case or an option that the method refuses or that is not feasible.
   void require(const data::Case& problem, const solver::RunOptions& options = {}) const;
 };

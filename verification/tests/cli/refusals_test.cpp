@@ -12,7 +12,7 @@
 namespace stickslip::testing {
 namespace {
 
-using studies::Feature;
+using data::Feature;
 
 // What not every command takes: a key of a case, or an option of `respond`.
 struct Refusable {

@@ -24,6 +24,10 @@ Tolerance searched(double expected) { return discretisation(1e-4 * expected, 1.0
 
 data::Case paper_case() { return with(data::load_case("paper"), data::HarmonicExcitation({25.0, 1e-3})); }
 
+data::Case with_beam(const data::Beam& beam, const data::Damping& damping = {}) {
+  return with(paper_case(), beam, paper_friction(), damping);
+}
+
 solver::ContactSystem mesh_system(int elements) {
   return solver::beam_contact_system(solver::BeamModel(paper_beam(), elements), paper_problem(25.0, 1e-3));
 }
@@ -86,9 +90,8 @@ TEST(ContactGrowth, OfAMassInStepsIsOfItsTransfer) {
 
 // No mode asks for more than the limit of the high ones, and those searched come near to it. Damping takes from it.
 TEST(ContactGrowth, OfTheBeamIsFourKappaOverItsMass) {
-  EXPECT_TRUE(
-      within(studies::beam_growth_bound(paper_beam(), paper_friction()), beam_bound, searched(beam_bound)));
-  const auto contact = studies::continuous_contact(paper_beam());
+  EXPECT_TRUE(within(studies::beam_growth_bound(with_beam(paper_beam())), beam_bound, searched(beam_bound)));
+  const auto contact = studies::continuous_contact(with_beam(paper_beam()));
   const double low_modes = growth_bound(without_limit(contact), kappa);
   EXPECT_LE(low_modes, beam_bound * (1.0 + 1e-4));
   EXPECT_GT(low_modes, 0.98 * beam_bound);
@@ -96,7 +99,7 @@ TEST(ContactGrowth, OfTheBeamIsFourKappaOverItsMass) {
     EXPECT_EQ(studies::grows_at_most(contact, kappa, share * beam_bound), share > 1.0);
   double before = beam_bound;
   for (const double eta : {1e-7, 1e-6, 1e-5, 1e-4}) {
-    const double bound = studies::beam_growth_bound(paper_beam(), paper_friction(), kelvin_voigt(eta));
+    const double bound = studies::beam_growth_bound(with_beam(paper_beam(), kelvin_voigt(eta)));
     EXPECT_LT(bound, before);
     before = bound;
   }
@@ -105,7 +108,7 @@ TEST(ContactGrowth, OfTheBeamIsFourKappaOverItsMass) {
 // cos b cosh b = -1 at b = (n - 1/2) pi + e with |e| = 2 exp(-b), and omega is that of b^2. In steps of h none is above pi/h.
 TEST(ContactGrowth, IsSearchedFromTheModes) {
   const data::Beam beam = paper_beam_with_axial_force(0.0);
-  auto frequencies = studies::continuous_contact(beam).frequencies;
+  auto frequencies = studies::continuous_contact(with_beam(beam)).frequencies;
   ASSERT_EQ(frequencies.size(), 41u);  // 0 and 40 modes
   const auto modes = analytic::slip_modes(beam, 4);
   for (std::size_t n = 2; n <= 4; ++n) {

@@ -20,7 +20,7 @@ namespace {
 using data::ContactChange;
 using data::ContactEvent;
 using data::ContactState;
-using studies::Feature;
+using data::Feature;
 using studies::HistoryRow;
 
 data::Case with_step(const data::Case& problem, double step) {

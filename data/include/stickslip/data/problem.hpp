@@ -32,6 +32,7 @@
 #include <array>
 #include <limits>
 #include <set>
+#include <span>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -327,9 +328,20 @@ struct Case {
   [[nodiscard]] const HarmonicExcitation& excitation() const { return std::get<HarmonicExcitation>(motion); }
   /// N, the axial force of a beam.
   [[nodiscard]] double normal_force() const { return beam().axial_force(); }
-  /// Whether the case asks for it; a feature of a run is none of a case.
+  /// Whether one of feature_keys() asks for it; a feature of a run is none of a case.
   [[nodiscard]] bool has(Feature feature) const noexcept;
 };
+
+/// A key that asks for a feature by any other number than `plain`.
+struct FeatureKey {
+  std::string_view path;  ///< "wall.speed"
+  Feature feature{};
+  double (*value)(const Case&){};  ///< SI units
+  double plain{};
+};
+
+/// All of them; two keys may ask for one feature.
+[[nodiscard]] std::span<const FeatureKey> feature_keys();
 
 /// The case with other parts, each known by its type: with(problem, excitation, damping). Another beam has no section.
 template <typename... Part>
