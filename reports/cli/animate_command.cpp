@@ -17,7 +17,7 @@ constexpr double periods = 10.0;  // unless --duration or --set gives a duration
 
 struct AnimateOptions {
   CaseOptions problem;
-  std::string method = "fe";
+  std::string method = studies::finite_elements().name;
   int frames = 200;
   std::string output = "frames";
 };
@@ -60,14 +60,15 @@ Answer animate(const AnimateOptions& options, Outputs& outputs) {
   answer.add_members({{"method", options.method}});
   add_excitation(answer, problem);
   answer.add_members({{"duration_s", duration}, {"frames", options.frames}, {"output", options.output}});
-  answer.warnings = warnings_of(problem, method.inquiry);
+  answer.warnings = sentences_of(studies::history_warnings(problem, method));
   return answer;
 }
 
 void add_options(CLI::App& command, AnimateOptions& options) {
   add_case_options(command, options.problem);
   add_excitation_options(command, options.problem);
-  add_choice_option(command, "--method", options.method, {"event-driven", "fe"},
+  add_choice_option(command, "--method", options.method,
+                    {studies::event_driven().name, studies::finite_elements().name},
                     "Finite elements with contact, or event by event in the modes of the continuous beam");
   add_duration_option(command, options.problem, "else ten periods of the excitation");
   add_integer_option(command, "--frames", options.frames, 2, report::most_frames,

@@ -98,10 +98,6 @@ std::vector<std::string> sentences_of(const std::vector<studies::Warning>& warni
   return sentences;
 }
 
-std::vector<std::string> warnings_of(const data::Case& problem, studies::Inquiry inquiry, int frequencies) {
-  return sentences_of(studies::problem_warnings(problem, inquiry, frequencies));
-}
-
 Json change_json(const std::optional<studies::Change>& change) {
   if (!change) return nullptr;
   return {{"key", change->key}, {"factor", change->factor}, {"margin", change->margin}};

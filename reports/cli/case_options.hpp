@@ -59,10 +59,6 @@ void require_no_fixed_value(const CaseOptions& options, std::string_view varied,
 
 [[nodiscard]] std::vector<std::string> sentences_of(const std::vector<studies::Warning>& warnings);
 
-/// The sentences of studies::problem_warnings().
-[[nodiscard]] std::vector<std::string> warnings_of(const data::Case& problem, studies::Inquiry inquiry,
-                                                   int frequencies = 0);
-
 /// The members of a change of a key, or null.
 [[nodiscard]] Json change_json(const std::optional<studies::Change>& change);
 

@@ -118,7 +118,7 @@ Answer answer_of(const data::Case& problem, const studies::CriterionAnswer& foun
 
 std::vector<std::string> warnings_about(const data::Case& problem, analytic::Verdict verdict,
                                         const std::optional<studies::Bending>& bending) {
-  auto warnings = warnings_of(problem, studies::Inquiry::criterion);
+  auto warnings = sentences_of(studies::criterion_warnings(problem));
   if (bending)
     if (const auto warning = studies::draw_back_warning(problem.beam(), bending->draw_back))
       warnings.push_back(*warning);
@@ -130,7 +130,7 @@ std::vector<std::string> warnings_about(const data::Case& problem, analytic::Ver
 data::Case case_of(const CaseOptions& options, const std::vector<data::Override>& point = {}) {
   data::Case problem = load_case(options, point);
   analytic::require_contact(problem.beam());
-  studies::require_feasible(problem, studies::Inquiry::criterion);
+  studies::require_feasible(problem);
   return problem;
 }
 

@@ -126,7 +126,7 @@ Answer design(const DesignOptions& options, Outputs& outputs) {
   const Ranges ranges = ranges_of(problem, options);
   problem.numerics = numerics_up_to(ranges.band.upper, problem);
   for (const double length : {problem.beam().length(), ranges.lengths.lower})
-    studies::require_feasible(at_the_end_of(problem, ranges.band, length), studies::Inquiry::design);
+    studies::require_feasible(at_the_end_of(problem, ranges.band, length));
   outputs.about(problem);
   outputs.open({});
   report::Progress& progress = outputs.progress();
@@ -135,7 +135,7 @@ Answer design(const DesignOptions& options, Outputs& outputs) {
       [&](std::string_view stage) { progress.stage(stage); }, std::ref(progress));
   Answer answer = answer_of(problem, found);
   answer.warnings =
-      warnings_of(at_the_end_of(problem, ranges.band, problem.beam().length()), studies::Inquiry::design);
+      sentences_of(studies::design_warnings(at_the_end_of(problem, ranges.band, problem.beam().length())));
   if (found.margin.margin.lower < 1.0)
     if (const auto unstable = studies::instability_warning(problem)) add_warning(answer, unstable->sentence);
   return answer;

@@ -72,9 +72,7 @@ studies::MapTask map_task(const MapOptions& options) {
   studies::MapTask task{.problem = load_case(options.problem),
                         .x = parse_axis("--x", options.x),
                         .y = parse_axis("--y", options.y),
-                        .method = options.method == finite_element_method
-                                      ? studies::MapMethod::finite_elements
-                                      : studies::MapMethod::closed_form,
+                        .method = &studies::method(options.method.value_or(studies::closed_form().name)),
                         .states_only = options.states_only,
                         .quantities = quantities,
                         .tolerance = options.tolerance.value_or(usual_tolerance)};
@@ -154,7 +152,7 @@ void add_options(CLI::App& command, MapOptions& options) {
       .add_option("--method", options.method,
                   "Closed form, or one linear finite-element run with the tip held for each evaluation "
                   "(default: closed-form)")
-      ->check(one_of({"closed-form", "fe"}));
+      ->check(one_of({studies::closed_form().name, studies::finite_elements().name}));
   add_duration_option(command, options.problem);
   command.add_flag("--states-only", options.states_only,
                    "Leave out the force ratio: only whether each cell sticks or slips");

@@ -26,19 +26,18 @@ std::map<std::string, double> numbers_of(const Json& json) {
 }
 
 Json to_json(const studies::MapTask& task, const MapPart& part) {
-  return {
-      {"program", program()},
-      {"case", task.problem.name},
-      {"numbers", data::numbers_of(task.problem)},
-      {"x", axis_text(task.x)},
-      {"y", axis_text(task.y)},
-      {"method", task.method == studies::MapMethod::closed_form ? closed_form_method : finite_element_method},
-      {"states_only", task.states_only},
-      {"quantities", names_of(task.quantities)},
-      {"transient", task.transient},
-      {"tolerance", task.tolerance},
-      {"parts", part.parts},
-      {"part", part.part}};
+  return {{"program", program()},
+          {"case", task.problem.name},
+          {"numbers", data::numbers_of(task.problem)},
+          {"x", axis_text(task.x)},
+          {"y", axis_text(task.y)},
+          {"method", task.method->name},
+          {"states_only", task.states_only},
+          {"quantities", names_of(task.quantities)},
+          {"transient", task.transient},
+          {"tolerance", task.tolerance},
+          {"parts", part.parts},
+          {"part", part.part}};
 }
 
 }  // namespace
@@ -48,8 +47,8 @@ studies::MapTask task_of(const Json& json) {
   return {.problem = data::case_with(json.at("case"), numbers_of(json.at("numbers"))),
           .x = parse_axis("x", json.at("x").get<std::string>()),
           .y = parse_axis("y", json.at("y").get<std::string>()),
-          .method = json.at("method") == closed_form_method ? studies::MapMethod::closed_form
-                                                            : studies::MapMethod::finite_elements,
+          .method = json.at("method") == studies::closed_form().name ? &studies::closed_form()
+                                                                     : &studies::finite_elements(),
           .states_only = json.at("states_only"),
           .quantities =
               quantities_named(quantities.empty() ? std::vector<std::string_view>() : split(quantities, ',')),

@@ -28,9 +28,6 @@
 
 namespace stickslip::cli {
 
-/// How the methods of a map are called on the command line and in files.
-inline constexpr std::string_view closed_form_method = "closed-form", finite_element_method = "fe";
-
 inline constexpr std::size_t most_parts = 1'000'000;
 
 inline constexpr std::array<studies::CellState, 3> all_states{analytic::Verdict::stick,

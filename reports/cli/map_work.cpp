@@ -33,8 +33,7 @@ std::vector<std::ptrdiff_t> converged_cells(const studies::CriterionMap& map) {
 Json to_json(const studies::MapTask& task, Outputs& outputs) {
   Json object;
   if (task.quantities.empty()) {
-    object["method"] =
-        task.method == studies::MapMethod::closed_form ? closed_form_method : finite_element_method;
+    object["method"] = task.method->name;
   } else {
     for (const auto* quantity : task.quantities) object["quantities"].push_back(quantity->name);
     object["transient_s"] = task.transient;

@@ -19,11 +19,11 @@ constexpr int most_drawn = 8;
 struct ModesOptions {
   CaseOptions problem;
   std::string state = "stick";
-  std::string method = "closed-form";
+  std::string method = studies::closed_form().name;
   int count = 3;
   std::string figure;
 
-  [[nodiscard]] bool is_mesh() const { return method == "fe"; }
+  [[nodiscard]] bool is_mesh() const { return studies::method(method).basis == studies::Basis::elements; }
   [[nodiscard]] analytic::TipSupport tip() const {
     return state == "slip" ? analytic::TipSupport::free : analytic::TipSupport::held;
   }
@@ -82,10 +82,7 @@ Answer modes(const ModesOptions& options, Outputs& outputs) {
       options.is_mesh() ? studies::mesh_frequencies(problem, options.tip(), options.count)
                         : studies::closed_form_frequencies(problem.beam(), options.tip(), options.count);
   Answer answer = answer_of(problem, options, frequencies);
-  answer.warnings = warnings_of(
-      problem,
-      options.state == "slip" ? studies::Inquiry::slip_frequencies : studies::Inquiry::stick_frequencies,
-      options.count);
+  answer.warnings = sentences_of(studies::frequency_warnings(problem.beam(), options.tip(), options.count));
   require_finite(answer.json);
   outputs.draw(problem.name,
                [&](const report::Look& look) { return drawing(problem, options, frequencies, look); });
@@ -96,7 +93,8 @@ void add_options(CLI::App& command, ModesOptions& options) {
   add_case_options(command, options.problem);
   add_choice_option(command, "--state", options.state, {"stick", "slip"},
                     "Tip pinned to the wall, or sliding under the axial force");
-  add_choice_option(command, "--method", options.method, {"closed-form", "fe"},
+  add_choice_option(command, "--method", options.method,
+                    {studies::closed_form().name, studies::finite_elements().name},
                     "Of the continuous beam, or of its finite elements");
   add_integer_option(command, "--count", options.count, 1, 1000, "How many, from the lowest");
   add_figure_option(command, options.figure);

@@ -63,14 +63,14 @@ Answer periodic_motion(const PeriodicOptions& options, Outputs& outputs) {
   const data::Case problem = load_case(options.problem);
   if (options.periods > 1 && problem.excitation().amplitude() == 0.0)
     throw data::FieldError("--periods", options.periods, "1 where excitation.amplitude is 0: the base rests");
-  const auto inquiry = studies::Inquiry::event_driven_history;
-  studies::require_feasible(problem, inquiry);
+  const studies::Method& method = studies::event_driven();
+  method.require_feasible(problem);
   outputs.about(problem);
   outputs.open({});
   outputs.progress().stage("following the motion until it settles");
   Answer answer(34);
   add_cycle(answer, studies::cycle_of(problem, options.periods, options.settle));
-  answer.warnings = warnings_of(problem, inquiry);
+  answer.warnings = sentences_of(studies::history_warnings(problem, method));
   return answer;
 }
 

@@ -17,16 +17,16 @@ namespace {
 
 struct RespondOptions {
   CaseOptions problem;
-  std::string method = "fe";
+  std::string method = studies::finite_elements().name;
   std::string initial_velocity = "quasi-static";
   std::optional<std::string> scheme;
   HistoryOptions history;
 };
 
-Answer answer_of(const data::Case& problem, const RespondOptions& options, const studies::History& history,
-                 const HistoryOutput& output) {
+Answer answer_of(const data::Case& problem, const RespondOptions& options, const studies::Method& method,
+                 const studies::History& history, const HistoryOutput& output) {
   Answer answer;
-  answer.add_members({{"method", options.method}});
+  answer.add_members({{"method", method.name}});
   add_excitation(answer, problem);
   answer.add_members({{"duration_s", problem.numerics.duration()},
                       {"output", options.history.output},
@@ -36,10 +36,11 @@ Answer answer_of(const data::Case& problem, const RespondOptions& options, const
                       {"largest_deflection_m", output.largest_deflection()},
                       {"first_slip_s", optional_json(history.first_slip)},
                       {"changes_of_contact", history.events.size()}});
-  if (options.method == "boundary-integral")
+  if (method.basis == studies::Basis::whole_beam)
     answer.add_members({{"integration_step_s", studies::boundary_integral_step(problem)},
                         {"largest_change_on_twice_the_step_m", optional_json(history.step_effect)}});
-  if (options.method == "fe") answer.add_members({{"scheme", options.scheme.value_or("located")}});
+  if (method.basis == studies::Basis::elements)
+    answer.add_members({{"scheme", options.scheme.value_or("located")}});
   if (output.window())
     answer.add_members({{"spectrum_window", output.spectrum().is_flat_top ? "flat-top" : "whole periods"},
                         {"spectrum_rows", output.window()->rows}});
@@ -63,7 +64,7 @@ Answer respond(const RespondOptions& options, Outputs& outputs) {
   if (options.scheme) run.scheme = studies::contact_schemes().at(*options.scheme);
   if (!options.history.events.empty()) method.require(data::Feature::slip, "--method", method.name);
   method.require(problem, run);
-  studies::require_held_growth(problem, method.inquiry);
+  studies::require_held_growth(problem, method);
   outputs.about(problem);
   HistoryOutput output(problem, options.history, outputs);
   outputs.on_interrupt([&] {
@@ -75,15 +76,15 @@ Answer respond(const RespondOptions& options, Outputs& outputs) {
   // The largest values are those of all that is looked at: all time steps of a method in steps, else as many as it takes.
   const long step = method.in_time_steps ? 1 : studies::look_step(problem, output.row_step());
   studies::Sampling sampling{.every = step};
-  if (method.name != "boundary-integral") {  // each position would take it half of its time again
+  if (method.basis != studies::Basis::whole_beam) {  // each position would take it half of its time again
     sampling.positions = studies::Bending::positions(problem.beam().length());
     sampling.positions_every = studies::usual_row_step(problem, problem.numerics.duration());
   }
   const auto history =
       method.run(problem, sampling, run, [&](const studies::HistoryRow& row) { output.add(row, step); });
   output.finish(history);
-  Answer answer = answer_of(problem, options, history, output);
-  answer.warnings = studies::warnings_after(problem, method.inquiry, history, run);
+  Answer answer = answer_of(problem, options, method, history, output);
+  answer.warnings = studies::warnings_after(problem, method, history, run);
   add_warning(answer, studies::row_warning(problem, method, step, output.row_step()));
   if (options.scheme && *options.scheme != "located")
     add_warning(answer,

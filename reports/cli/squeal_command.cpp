@@ -147,7 +147,7 @@ Answer steady_sliding(const SquealOptions& options, Outputs& outputs) {
   report::Progress& progress = outputs.progress();
   progress.stage("following the motion from rest");
   Answer answer = answer_of(squeal, studies::limit_cycle_of(problem, options.settle));
-  answer.warnings = warnings_of(problem, studies::Inquiry::event_driven_history);
+  answer.warnings = sentences_of(studies::history_warnings(problem, studies::event_driven()));
   add_warning(answer, studies::deflection_warning(problem.beam(), squeal.tip_displacement));
   require_finite(answer.json);
   const std::string map = options.map.empty() ? "" : map_text(problem, speeds, ratios, progress);

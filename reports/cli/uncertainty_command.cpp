@@ -158,14 +158,14 @@ Answer slip_probability(const UncertaintyOptions& given, Outputs& outputs) {
     problem = restated(problem, {{"excitation.frequency_hz", band.upper}});
   }
   problem = studies::stated_as(problem, uncertainty);
-  const auto inquiry = options.band ? studies::Inquiry::design : studies::Inquiry::criterion;
-  studies::require_feasible(problem, inquiry);
+  studies::require_feasible(problem);
   outputs.about(problem);
   outputs.open({{"--figure", options.figure}});
   const studies::SlipUncertainty result =
       studies::slip_uncertainty(problem, uncertainty, options.sampling, std::ref(outputs.progress()));
   Answer answer = answer_of(problem, options, result);
-  answer.warnings = warnings_of(problem, inquiry);
+  answer.warnings =
+      sentences_of(options.band ? studies::design_warnings(problem) : studies::criterion_warnings(problem));
   outputs.draw(problem.name, [&](const report::Look& look) { return report::draw(result, look); });
   return answer;
 }

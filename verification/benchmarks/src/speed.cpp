@@ -288,8 +288,7 @@ void map_of(benchmark::State& state, const studies::MapTask& task) {
 void frequency_amplitude(benchmark::State& state) {
   map_of(state, {.problem = paper_case(),
                  .x = studies::map_axis("excitation.frequency_hz", 0.1, 120.0, 1200, false),
-                 .y = studies::map_axis("excitation.amplitude", 1e-6, 1e-3, 1000, false),
-                 .method = studies::MapMethod::closed_form});
+                 .y = studies::map_axis("excitation.amplitude", 1e-6, 1e-3, 1000, false)});
 }
 BENCHMARK(frequency_amplitude)
     ->Name("criterion_map/frequency_amplitude")
@@ -312,7 +311,6 @@ void length_force(benchmark::State& state) {
   map_of(state, {.problem = flat_case(),
                  .x = studies::map_axis("beam.length", 0.4, 2.0, 1000, false),
                  .y = studies::map_axis("beam.axial_force", 5.0, 33000.0, 1000, true),
-                 .method = studies::MapMethod::closed_form,
                  .states_only = true});
 }
 BENCHMARK(length_force)->Name("criterion_map/length_force")->Unit(benchmark::kMillisecond)->UseRealTime();

@@ -59,9 +59,10 @@ data::Case case_at(const MapTask& task, std::size_t i, std::size_t j) {
 // |f_max| at the points of one map. The modes do not depend on which points are evaluated.
 class Forces {
  public:
-  explicit Forces(const MapTask& task) : method_(task.method), reactions_(task.problem) {
+  explicit Forces(const MapTask& task)
+      : by_elements_(task.method->basis == Basis::elements), reactions_(task.problem) {
     // Their modes depend on more than the load factor.
-    if (method_ != MapMethod::closed_form || !varies_beam(task) || couples_modes(task)) return;
+    if (by_elements_ || !varies_beam(task) || couples_modes(task)) return;
     double lowest = std::numeric_limits<double>::infinity(), highest = 0.0;
     for (const std::size_t j : ends_of(task.y))
       for (const std::size_t i : ends_of(task.x)) {
@@ -81,14 +82,13 @@ class Forces {
   // Whether the tip slips. Far from the friction limit this needs less work than the force itself.
   [[nodiscard]] bool slips(const data::Case& problem) const {
     const double limit = friction_limit(problem), amplitude = problem.excitation().amplitude();
-    if (method_ == MapMethod::closed_form)
-      return amplitude > 0.0 && reactions_.of(problem).exceeds(limit / amplitude);
+    if (!by_elements_) return amplitude > 0.0 && reactions_.of(problem).exceeds(limit / amplitude);
     return analytic::verdict_of(amplitude * force_per_metre(problem), limit) == Verdict::stick_slip;
   }
 
  private:
   [[nodiscard]] analytic::Bounds force_per_metre(const data::Case& problem) const {
-    if (method_ == MapMethod::closed_form) return reactions_.of(problem).largest();
+    if (!by_elements_) return reactions_.of(problem).largest();
     const data::HarmonicExcitation unit(
         {.frequency_hz = problem.excitation().frequency_hz(), .amplitude = 1.0});
     const double force = solver::max_abs_friction_force(with(problem, unit));
@@ -102,7 +102,7 @@ class Forces {
     return load_factor(problem.beam(), analytic::buckling_load(problem)) * (1.0 - 1e-12);
   }
 
-  MapMethod method_;
+  bool by_elements_;
   analytic::StickReactions reactions_;
 };
 
@@ -289,7 +289,7 @@ CriterionMap criterion_map(const MapTask& task) {
 std::vector<Warning> map_warnings(const MapTask& task) {
   auto warnings = warnings_common_to(task.problem, {task.x.parameter, task.y.parameter});
   if (!task.quantities.empty()) return warnings;
-  const auto warning_at = task.method == MapMethod::closed_form ? few_modes_warning : coarse_mesh_warning;
+  const auto warning_at = task.method->basis == Basis::elements ? coarse_mesh_warning : few_modes_warning;
   const std::size_t last_x = task.x.values.size() - 1, last_y = task.y.values.size() - 1;
   for (const auto& [i, j] : {std::pair(last_x, last_y), {last_x, 0}, {0, last_y}, {0, 0}})
     if (const auto warning = warning_at(case_at(task, i, j))) {

@@ -16,12 +16,6 @@
 
 namespace stickslip::studies {
 
-/// How |f_max| is computed, with the damping of the case.
-enum class MapMethod {
-  closed_form,     ///< Eq. (28) with numerics.modes() modes, |f_max| to 1e-10
-  finite_elements  ///< one linear run with a bonded tip, |f_max| over its time steps
-};
-
 /// The state of a cell of the map; nothing if P is not below the buckling load 20.19 EI/L² of the clamped-pinned beam.
 using CellState = std::optional<analytic::Verdict>;
 /// "stick", "stick-slip" or "no stick state".
@@ -58,7 +52,9 @@ STICKSLIP_MEMBERS(CriterionMap, (cells))
 struct MapTask {
   data::Case problem;
   MapAxis x, y;
-  MapMethod method{};
+  /// Of |f_max|: closed_form(), Eq. (28) with numerics.modes() modes and the damping of the case, to 1e-10; or
+  /// finite_elements(), one linear run with a bonded tip, over its time steps.
+  const Method* method{&closed_form()};
   bool states_only{};  ///< compute the states only, without the force ratio
   /// What to map in place of the criterion; empty for the criterion.
   std::vector<const MotionQuantity*> quantities{};

@@ -32,15 +32,6 @@ constexpr double allowed_growth = 36.0;  // of σ* T
 // The largest number of elements or modes for which growth_warning() computes σ*.
 constexpr int most_undamped_for_growth = 200, most_damped_for_growth = 50;
 
-bool is_about_frequencies(Inquiry inquiry) {
-  return inquiry == Inquiry::stick_frequencies || inquiry == Inquiry::slip_frequencies;
-}
-
-bool may_slip(Inquiry inquiry) {
-  return inquiry == Inquiry::event_driven_history || inquiry == Inquiry::boundary_integral_history ||
-         inquiry == Inquiry::stepped_history;
-}
-
 std::string percent(double share) { return fmt::format("{:.2g} %", 100.0 * share); }
 
 // The value rounded down to two significant digits.
@@ -169,28 +160,14 @@ double row_effect(const data::Case& problem, double spacing) {
 
 namespace {
 
-void warn_of_resonance(const data::Case& problem, Inquiry inquiry, std::vector<Warning>& warnings) {
-  if (auto resonance = resonance_warning(problem))
-    warnings.push_back(std::move(*resonance));
-  else if (inquiry == Inquiry::criterion)
-    warn_of_distance(problem, warnings);
+void add_warning(std::optional<Warning> warning, std::vector<Warning>& warnings) {
+  if (warning) warnings.push_back(std::move(*warning));
 }
 
-std::vector<Warning> warnings_without_effect(const data::Case& problem, Inquiry inquiry, int frequencies) {
-  std::vector<Warning> warnings;
-  if (may_slip(inquiry))
-    if (const auto unstable = instability_warning(problem)) warnings.push_back(*unstable);
-  if (inquiry == Inquiry::criterion || inquiry == Inquiry::closed_form_history)
-    warn_of_resonance(problem, inquiry, warnings);
-  if (inquiry == Inquiry::criterion || inquiry == Inquiry::closed_form_history || inquiry == Inquiry::design)
-    if (auto few = few_modes_warning(problem)) warnings.push_back(std::move(*few));
-  const int mode = is_about_frequencies(inquiry) ? frequencies : highest_mode_that_matters(problem);
-  warn_of_thickness(problem.beam(), inquiry == Inquiry::slip_frequencies, mode, warnings);
-  if (inquiry == Inquiry::stepped_history) {
-    if (auto mesh = coarse_mesh_warning(problem)) warnings.push_back(std::move(*mesh));
-    warn_of_step(problem, mode, warnings);
-  }
-  return warnings;
+void warn_of_resonance_or_distance(const data::Case& problem, std::vector<Warning>& warnings) {
+  const std::size_t before = warnings.size();
+  add_warning(resonance_warning(problem), warnings);
+  if (warnings.size() == before) warn_of_distance(problem, warnings);
 }
 
 }  // namespace
@@ -255,18 +232,50 @@ std::string shear_effect(const data::Case& problem) {
                          : fmt::format(" instead of {}", to_string(without.verdict)));
 }
 
-std::vector<Warning> problem_warnings(const data::Case& problem, Inquiry inquiry, int frequencies) {
-  auto warnings = warnings_without_effect(problem, inquiry, frequencies);
+std::vector<Warning> criterion_warnings(const data::Case& problem) {
+  std::vector<Warning> warnings;
+  warn_of_resonance_or_distance(problem, warnings);
+  add_warning(few_modes_warning(problem), warnings);
+  warn_of_thickness(problem.beam(), false, highest_mode_that_matters(problem), warnings);
   const auto thick = std::ranges::find(warnings, Concern::thick_beam, &Warning::concern);
-  if (thick != warnings.end() && inquiry == Inquiry::criterion && problem.damping.is_none())
-    thick->sentence += "; " + shear_effect(problem);
+  if (thick != warnings.end() && problem.damping.is_none()) thick->sentence += "; " + shear_effect(problem);
   return warnings;
 }
 
-std::optional<Warning> growth_warning(const data::Case& problem, Inquiry inquiry) {
+std::vector<Warning> design_warnings(const data::Case& problem) {
+  std::vector<Warning> warnings;
+  add_warning(few_modes_warning(problem), warnings);
+  warn_of_thickness(problem.beam(), false, highest_mode_that_matters(problem), warnings);
+  return warnings;
+}
+
+std::vector<Warning> frequency_warnings(const data::Beam& beam, analytic::TipSupport tip, int count) {
+  std::vector<Warning> warnings;
+  warn_of_thickness(beam, tip == analytic::TipSupport::free, count, warnings);
+  return warnings;
+}
+
+std::vector<Warning> history_warnings(const data::Case& problem, const Method& method) {
+  std::vector<Warning> warnings;
+  if (method.follows_slip()) {
+    add_warning(instability_warning(problem), warnings);
+  } else {
+    add_warning(resonance_warning(problem), warnings);
+    add_warning(few_modes_warning(problem), warnings);
+  }
+  const int mode = highest_mode_that_matters(problem);
+  warn_of_thickness(problem.beam(), false, mode, warnings);
+  if (method.basis == Basis::elements) {
+    add_warning(coarse_mesh_warning(problem), warnings);
+    warn_of_step(problem, mode, warnings);
+  }
+  return warnings;
+}
+
+std::optional<Warning> growth_warning(const data::Case& problem, const Method& method) {
   const data::NumericalSettings& numerics = problem.numerics;
-  const bool stepped = inquiry == Inquiry::stepped_history;
-  if (!stepped && inquiry != Inquiry::event_driven_history) return std::nullopt;
+  const bool stepped = method.basis == Basis::elements;
+  if (!method.follows_slip() || method.basis == Basis::whole_beam) return std::nullopt;
   if (problem.contact.compliance.has_spring()) return std::nullopt;  // σ* is that of a law without memory
   if ((stepped ? numerics.elements() : numerics.modes()) >
       (problem.damping.is_none() ? most_undamped_for_growth : most_damped_for_growth))
@@ -390,9 +399,9 @@ void warn_of_few_modes(const data::Case& problem, const History& history,
 
 }  // namespace
 
-void require_held_growth(const data::Case& problem, Inquiry inquiry) {
+void require_held_growth(const data::Case& problem, const Method& method) {
   constexpr double held = 7.4;  // exp(2 (held - 12.01)) = 1e-4
-  if (inquiry != Inquiry::boundary_integral_history) return;
+  if (method.basis != Basis::whole_beam) return;
   const auto unstable = slip_instability(problem);
   if (!unstable || unstable->root.real() * problem.numerics.duration() <= held) return;
   throw data::FieldError("excitation.duration", problem.numerics.duration(),
@@ -402,26 +411,26 @@ void require_held_growth(const data::Case& problem, Inquiry inquiry) {
                                      held / unstable->root.real(), unstable->load));
 }
 
-std::vector<std::string> warnings_after(const data::Case& problem, Inquiry inquiry, const History& history,
-                                        const solver::RunOptions& options) {
+std::vector<std::string> warnings_after(const data::Case& problem, const Method& method,
+                                        const History& history, const solver::RunOptions& options) {
   std::vector<std::string> sentences;
-  for (const Warning& warning : problem_warnings(problem, inquiry)) sentences.push_back(warning.sentence);
-  if (inquiry == Inquiry::closed_form_history && history.first_slip)
+  for (const Warning& warning : history_warnings(problem, method)) sentences.push_back(warning.sentence);
+  if (!method.follows_slip() && history.first_slip)
     sentences.push_back(
         fmt::format("the closed form holds while the tip sticks, but |f| exceeds mu_s P = {} N first at {} "
                     "s; --method fe and --method event-driven follow the slip",
                     data::shortest_text(friction_limit(problem)), data::shortest_text(*history.first_slip)));
   warn_of_law(problem, history, sentences);
   if (history.events.empty()) return sentences;
-  const bool stepped = inquiry == Inquiry::stepped_history;
-  if (stepped && problem.contact.compliance.is_rigid()) warn_of_alternation(problem, sentences);
-  if (const auto growth = growth_warning(problem, inquiry)) {
+  const bool stepped_to_rest =
+      method.basis == Basis::elements && !problem.has(data::Feature::yielding_contact);
+  if (stepped_to_rest) warn_of_alternation(problem, sentences);
+  if (const auto growth = growth_warning(problem, method)) {
     sentences.push_back(growth->sentence);
   } else {
-    if (stepped && problem.contact.compliance.is_rigid())
-      warn_of_long_steps(problem, options, history, sentences);
-    if (inquiry == Inquiry::boundary_integral_history) warn_of_single_steps(problem, history, sentences);
-    if (inquiry == Inquiry::event_driven_history) warn_of_few_modes(problem, history, sentences);
+    if (stepped_to_rest) warn_of_long_steps(problem, options, history, sentences);
+    if (method.basis == Basis::whole_beam) warn_of_single_steps(problem, history, sentences);
+    if (method.basis == Basis::modes) warn_of_few_modes(problem, history, sentences);
   }
   return sentences;
 }
@@ -449,8 +458,8 @@ std::optional<std::string> row_warning(const data::Case& problem, const Method& 
   return fmt::format(
       "the largest |f|, the largest deflection{} are those of instants {:.3g} s apart, which may miss {} of "
       "them: a shorter numerics.time_step misses less",
-      method.inquiry == Inquiry::closed_form_history ? " and the first slip" : "",
-      static_cast<double>(look_step) * step, percent(effect));
+      method.follows_slip() ? "" : " and the first slip", static_cast<double>(look_step) * step,
+      percent(effect));
 }
 
 std::optional<std::string> fixed_step_warning(const data::Case& problem, double step) {
@@ -498,16 +507,13 @@ std::vector<Warning> warnings_common_to(const data::Case& problem,
   };
   std::vector<Warning> warnings;
   if (all_of([](const data::KeyEffects& one) { return one.keeps_frequencies; }))
-    warn_of_resonance(problem, Inquiry::criterion, warnings);
+    warn_of_resonance_or_distance(problem, warnings);
   if (all_of([](const data::KeyEffects& one) { return !one.has_proportions; }))
     warn_of_thickness(problem.beam(), false, highest_mode_that_matters(problem), warnings);
   return warnings;
 }
 
-void require_feasible(const data::Case& problem, Inquiry inquiry) {
-  for (const Method& each : methods())
-    if (each.inquiry == inquiry) return each.require_feasible(problem);
-  if (is_about_frequencies(inquiry)) return;
+void require_feasible(const data::Case& problem) {
   require_resting_wall(problem);
   require_periods(problem, most_periods_in_closed_form);
 }

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "stickslip/analytic/damped_steady_state.hpp"
 #include "stickslip/data/problem.hpp"
 #include "studies/history/method.hpp"
 
@@ -70,28 +71,34 @@ constexpr double share_that_matters = 0.01;
 ///     1 - cos(Ω H/2) + Σ share_n (1 - cos(ω_n H/2)).
 [[nodiscard]] double row_effect(const data::Case& problem, double spacing);
 
-/// The warnings for a case, each at most once, in the order of Concern:
-/// - flutter or buckling, for histories that can slip: instability_warning().
-/// - resonance, for an undamped |f| in closed form: a natural frequency of the stick state is so close to
-///   Ω that |f| grows over the whole duration T, |Ω - ω_n| T ≤ π (half a beat), and reaches at
-///   least ten times the quasi-static response, Ω T/2 ≥ 10.
-/// - near resonance, for the criterion, where resonance is not warned of: least_resonance_distance is not kept.
-/// - few modes, for |f| in closed form: too_few_modes().
-/// - thick beam: stick_model_error() of the highest relevant mode, or of the highest one asked for, is above
-///   allowed_model_error, and the beam has no shear stiffness. For the undamped criterion with shear_effect().
-/// - coarse mesh, for finite elements: mesh_effect() is above allowed_model_error.
-/// - long step, for time integration: step_error() of the highest relevant mode, or of a vibration at Ω,
-///   is above 1 %. The limit is the largest allowed step, rounded down to two digits.
+/// The warnings for a case, each at most once, in the order of Concern. All of them have
+/// - thick beam: stick_model_error() of the highest relevant mode is above allowed_model_error, and the beam has no shear
+///   stiffness.
 ///
-/// `frequencies` is the number of natural frequencies asked for. Throws what stick_modes() throws.
-[[nodiscard]] std::vector<Warning> problem_warnings(const data::Case& problem, Inquiry inquiry,
-                                                    int frequencies = 0);
+/// Of a history by a method:
+/// - flutter or buckling, if it follows the slip: instability_warning();
+/// - resonance and few modes, if it does not: resonance_warning(), too_few_modes();
+/// - coarse mesh, by elements: mesh_effect() is above allowed_model_error;
+/// - long step, by elements: step_error() of the highest relevant mode, or of a vibration at Ω, is above 1 %. The limit is the
+///   largest allowed step, rounded down to two digits.
+///
+/// Throws what stick_modes() throws.
+[[nodiscard]] std::vector<Warning> history_warnings(const data::Case& problem, const Method& method);
+/// Of the criterion: resonance, or else near resonance where least_resonance_distance is not kept; few modes; a thick beam without
+/// damping with its shear_effect().
+[[nodiscard]] std::vector<Warning> criterion_warnings(const data::Case& problem);
+/// Of |f_max| over a band up to the excitation frequency of the case: few modes.
+[[nodiscard]] std::vector<Warning> design_warnings(const data::Case& problem);
+/// Of so many natural frequencies: thick beam, by the highest of them; with the tip free by slip_model_error().
+[[nodiscard]] std::vector<Warning> frequency_warnings(const data::Beam& beam, analytic::TipSupport tip,
+                                                      int count);
 
 /// The warning that slip of the case grows at its axial force (slip_instability()), with the load from which on it does. The
 /// criterion and a design need it where the tip slips.
 [[nodiscard]] std::optional<Warning> instability_warning(const data::Case& problem);
 
-/// The warning of a resonance, if there is one.
+/// The warning, for an undamped |f| in closed form, that a natural frequency of the stick state is so close to Ω that |f| grows over
+/// the whole duration T, |Ω - ω_n| T ≤ π (half a beat), and reaches at least ten times the quasi-static response, Ω T/2 ≥ 10.
 [[nodiscard]] std::optional<Warning> resonance_warning(const data::Case& problem);
 
 /// The warning that too_few_modes() of the case, if there are.
@@ -118,18 +125,18 @@ constexpr double share_that_matters = 0.01;
 ///   for any discretisation.
 ///
 /// Throws what the run itself throws.
-[[nodiscard]] std::optional<Warning> growth_warning(const data::Case& problem, Inquiry inquiry);
+[[nodiscard]] std::optional<Warning> growth_warning(const data::Case& problem, const Method& method);
 
 /// Throws data::FieldError, naming excitation.duration, for a history T by the boundary integral in which slip_instability() grows by
 /// more than exp(σ T), σ T = 7.4. Its contour lies at eps^(-1/3) a block of weights (beam_boundary_integral.hpp), so that a motion that
 /// grows comes back with the relative error exp(2 (σ T - 12)), 1e-4 there; the weights are the same in stick and slip.
-void require_held_growth(const data::Case& problem, Inquiry inquiry);
+void require_held_growth(const data::Case& problem, const Method& method);
 
-/// The warnings of problem_warnings() for a history that was computed by a method with that inquiry, then
+/// The history_warnings() of a history that was computed, then
 /// what the changes of contact leave open (an alternating force with Kelvin-Voigt damping and a spectral radius above 0,
 /// growth_warning() or else changes that twice the step or, event-driven, half as many modes more do not
 /// find, and changes within a step of the boundary integral), that rows do not obey the law of friction, and that the closed form does not hold beyond its first slip.
-[[nodiscard]] std::vector<std::string> warnings_after(const data::Case& problem, Inquiry inquiry,
+[[nodiscard]] std::vector<std::string> warnings_after(const data::Case& problem, const Method& method,
                                                       const History& history,
                                                       const solver::RunOptions& options = {});
 
@@ -171,9 +178,8 @@ constexpr double allowed_draw_back = 1e-4;  // m
 [[nodiscard]] std::vector<Warning> warnings_common_to(const data::Case& problem,
                                                       const std::vector<std::string_view>& varied);
 
-/// Throws data::FieldError, naming excitation.duration, for a computation that would take more than minutes: a history as
-/// Method::require_feasible; a criterion or a design with more than 1e8 periods of the highest natural frequency or of
-/// the excitation, and for a wall that moves.
-void require_feasible(const data::Case& problem, Inquiry inquiry);
+/// Throws data::FieldError for a criterion or a design that would take more than minutes, with more than 1e8 periods of the highest
+/// natural frequency or of the excitation, naming excitation.duration; and for a wall that moves.
+void require_feasible(const data::Case& problem);
 
 }  // namespace stickslip::studies

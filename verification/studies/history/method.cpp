@@ -55,7 +55,7 @@ void require_steps(const data::Case& problem) {
 const std::vector<Method>& methods() {
   static const std::vector<Method> all{
       {"boundary-integral",
-       Inquiry::boundary_integral_history,
+       Basis::whole_beam,
        {{Feature::damping_ratio, "0 with the boundary integral, which allows Kelvin-Voigt damping only"},
         {Feature::moving_wall, resting},
         {Feature::shear, no_shear},
@@ -65,7 +65,7 @@ const std::vector<Method>& methods() {
        boundary_integral_history,
        true},
       {"closed-form",
-       Inquiry::closed_form_history,
+       Basis::modes,
        {{Feature::slip,
          "one that follows the slip (fe, event-driven or boundary-integral) where --events is given"},
         {Feature::kelvin_voigt, undamped},
@@ -81,13 +81,13 @@ const std::vector<Method>& methods() {
          return closed_form_history(problem, sampling, analytic::SteadyPart::modal_sum, sink);
        }},
       {"event-driven",
-       Inquiry::event_driven_history,
+       Basis::modes,
        {{Feature::yielding_contact, rigid},
         {Feature::shear, no_shear},
         {Feature::contact_scheme, elements_only}},
        [](const data::Case& problem) { require_periods(problem, most_periods_by_events); },
        event_driven_history},
-      {"fe", Inquiry::stepped_history, {}, require_nothing, finite_element_history, true}};
+      {"fe", Basis::elements, {}, require_nothing, finite_element_history, true}};
   return all;
 }
 
@@ -102,6 +102,11 @@ const Method& method(std::string_view name) {
   if (found == methods().end()) throw std::out_of_range(fmt::format("no method has the name {}", name));
   return *found;
 }
+
+const Method& boundary_integral() { return method("boundary-integral"); }
+const Method& closed_form() { return method("closed-form"); }
+const Method& event_driven() { return method("event-driven"); }
+const Method& finite_elements() { return method("fe"); }
 
 const std::map<std::string, solver::ContactScheme>& contact_schemes() {
   static const std::map<std::string, solver::ContactScheme> schemes{

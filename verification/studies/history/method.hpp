@@ -18,22 +18,17 @@
 
 namespace stickslip::studies {
 
-/// What is asked for.
-enum class Inquiry {
-  stick_frequencies,
-  slip_frequencies,
-  criterion,            ///< |f_max|, in closed form
-  closed_form_history,  ///< Eqs. (26) to (28)
-  event_driven_history,
-  boundary_integral_history,
-  stepped_history,  ///< finite elements and generalised-alpha
-  design            ///< |f_max| over a band up to the excitation frequency of the case
+/// What a method describes the beam by.
+enum class Basis {
+  elements,   ///< numerics.elements()
+  modes,      ///< numerics.modes() of the continuous beam
+  whole_beam  ///< its mobility: all modes, no mesh
 };
 
 /// One method.
 struct Method {
   std::string name{};
-  Inquiry inquiry{};
+  Basis basis{};
   /// What it cannot do. The text, with the reason, is the end of the error message "<field> is <value>, but must be".
   std::map<data::Feature, std::string> refused{};
   /// Throws data::FieldError, naming excitation.duration, for a history that would take more than minutes.
@@ -45,6 +40,8 @@ struct Method {
   /// It goes from time step to time step, so that a row at each of them costs little.
   bool in_time_steps{};
 
+  /// Its motion goes on after the first slip.
+  [[nodiscard]] bool follows_slip() const { return !refused.contains(data::Feature::slip); }
   /// Throws data::FieldError if the method cannot do the feature, which the field with that value asks for.
   void require(data::Feature feature, std::string_view field, const std::string& value) const;
   /// Throws data::FieldError for a case or an option that the method refuses or that is not feasible.
@@ -56,6 +53,10 @@ struct Method {
 [[nodiscard]] std::vector<std::string> method_names();
 /// Throws std::out_of_range if there is none of that name.
 [[nodiscard]] const Method& method(std::string_view name);
+[[nodiscard]] const Method& boundary_integral();
+[[nodiscard]] const Method& closed_form();
+[[nodiscard]] const Method& event_driven();
+[[nodiscard]] const Method& finite_elements();
 
 /// The contact schemes of finite elements, by name.
 [[nodiscard]] const std::map<std::string, solver::ContactScheme>& contact_schemes();

@@ -34,7 +34,7 @@ ForceHorizon horizon(const analytic::StickResponse& response, double duration) {
 SteadyForce steady_force(const data::Case& paper, const std::vector<double>& durations) {
   const analytic::StickResponse response(paper.beam(), paper.excitation(), kept_modes,
                                          analytic::SteadyPart::exact);
-  const auto warnings = problem_warnings(paper, Inquiry::criterion);
+  const auto warnings = criterion_warnings(paper);
   SteadyForce result{
       .frequency_hz = paper.excitation().frequency_hz(),
       .amplitude = paper.excitation().amplitude(),

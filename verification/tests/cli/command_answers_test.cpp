@@ -35,7 +35,7 @@ STICKSLIP_VERIFIES(Answers, "U1");
 TEST_F(Answers, RespondSaysWhatItsFilesHold) {
   for (const studies::Method& method : studies::methods()) {
     SCOPED_TRACE(method.name);
-    const bool slips = !method.refused.contains(data::Feature::slip);
+    const bool slips = method.follows_slip();
     const auto answer =
         json("respond --hz 25 --amplitude 1e-3 --duration 0.0605 --every 1 --output history.csv --method " +
              method.name + (slips ? " --events events.csv" : ""));

@@ -195,7 +195,7 @@ TEST(ShearEffect, IsInTheWarningOfAThickBeam) {
       data::load_case("paper", {{"beam.length", "0.8"}, {"excitation.frequency_hz", "120"}});
   const data::Case sheared = with(thick, studies::with_shear(thick.beam()));
   const auto thick_beam = [](const data::Case& problem) {
-    const auto warnings = studies::problem_warnings(problem, studies::Inquiry::criterion);
+    const auto warnings = studies::criterion_warnings(problem);
     const auto found = std::ranges::find(warnings, studies::Concern::thick_beam, &studies::Warning::concern);
     return found == warnings.end() ? std::string() : found->sentence;
   };

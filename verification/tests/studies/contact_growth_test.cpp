@@ -277,8 +277,8 @@ TEST(HistoryConvergence, OfARadiatingTip) {
 // --- The warning
 
 std::optional<studies::Warning> warning(const std::vector<data::Override>& overrides,
-                                        studies::Inquiry inquiry = studies::Inquiry::stepped_history) {
-  return studies::growth_warning(data::load_case("paper", overrides), inquiry);
+                                        const studies::Method& method = studies::finite_elements()) {
+  return studies::growth_warning(data::load_case("paper", overrides), method);
 }
 
 STICKSLIP_VERIFIES(GrowthWarning, "X21");
@@ -321,11 +321,11 @@ TEST(GrowthWarning, SaysWhenNoDiscretisationHelps) {
 }
 
 TEST(GrowthWarning, CountsModes) {
-  const auto inquiry = studies::Inquiry::event_driven_history;
   for (const auto& [modes, duration, warns] : {std::tuple{"5", "0.15", false},
                                                {"5", "0.2", true},
                                                {"10", "0.1", true}})  // 213/s, 398/s with 10 modes
-    EXPECT_EQ(warning({{"numerics.modes", modes}, {"excitation.duration", duration}}, inquiry).has_value(),
+    EXPECT_EQ(warning({{"numerics.modes", modes}, {"excitation.duration", duration}}, studies::event_driven())
+                  .has_value(),
               warns)
         << modes << ' ' << duration;
 }
@@ -338,9 +338,8 @@ TEST(GrowthWarning, IsSilentOnWhatItDoesNotCompute) {
                     .has_value(),
                 elements == most)
           << elements;
-  for (const auto inquiry : {studies::Inquiry::closed_form_history, studies::Inquiry::criterion,
-                             studies::Inquiry::boundary_integral_history})
-    EXPECT_FALSE(warning({}, inquiry));
+  for (const auto* method : {&studies::closed_form(), &studies::boundary_integral()})
+    EXPECT_FALSE(warning({}, *method));
   EXPECT_FALSE(warning({{"contact.tangential_stiffness", "1e8"}}));
 }
 

@@ -19,7 +19,6 @@ namespace stickslip::testing {
 namespace {
 
 using studies::map_axis;
-using studies::MapMethod;
 
 data::Case flat_case_of(double duration) { return with_value(flat_case(), "excitation.duration", duration); }
 
@@ -156,7 +155,7 @@ TEST(CriterionMap, CostEstimateLeavesTheThreads) {
   const studies::MapTask task{.problem = with_values(flat_case_of(0.1), {{"numerics.elements", 4}}),
                               .x = map_axis("excitation.frequency_hz", 5.0, 50.0, 20, false),
                               .y = map_axis("excitation.amplitude", 0.0, 1e-3, 3, false),
-                              .method = MapMethod::finite_elements};
+                              .method = &studies::finite_elements()};
   for (const unsigned count : {1u, 2u}) {
     const studies::ThreadsForNow threads(count);
     const auto estimate = studies::map_estimate(task, studies::share_of(20, 1, 1));
@@ -187,7 +186,7 @@ TEST(CriterionMap, ByElementsIsThatOfPlainRuns) {
     const data::Case problem = with_values(
         flat_case_of(duration), {{"numerics.elements", elements}, {"damping.kelvin_voigt", kelvin_voigt}});
     const auto map =
-        studies::criterion_map({.problem = problem, .x = x, .y = y, .method = MapMethod::finite_elements});
+        studies::criterion_map({.problem = problem, .x = x, .y = y, .method = &studies::finite_elements()});
     ASSERT_EQ(map.cells.size(), 6u);
     for (std::size_t n = 0; n < 6; ++n) {
       EXPECT_EQ(map.cells[n].state.has_value(), n < 2);

@@ -537,7 +537,7 @@ TEST(Enclosures, AreWarnedOfWhereNModesAreTooFew) {
     const double computed = analytic::evaluate_criterion(problem).force_max.midpoint();
     const Bounds truth = by_elements(text.problem());
     const bool is_off = !enclose({0.94 * computed, 1.06 * computed}, truth);
-    const auto warnings = studies::problem_warnings(problem, studies::Inquiry::criterion);
+    const auto warnings = studies::criterion_warnings(problem);
     const bool is_warned = std::ranges::find(warnings, studies::Concern::few_modes,
                                              &studies::Warning::concern) != warnings.end();
     EXPECT_TRUE(is_warned || !is_off) << computed << ", " << truth.lower << " ... " << truth.upper;

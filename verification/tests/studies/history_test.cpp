@@ -380,7 +380,7 @@ TEST(RandomRows, OfAnyRadiusAgreeOrSaySo) {
     const studies::History history = studies::finite_element_history(problem);
     const bool is_right = are_alike(without_reversals(history.events), judge.many.events);
     (is_right ? right : wrong) += 1;
-    const auto warnings = studies::warnings_after(problem, studies::Inquiry::stepped_history, history);
+    const auto warnings = studies::warnings_after(problem, studies::finite_elements(), history);
     EXPECT_TRUE(is_right || std::ranges::any_of(warnings, [](const std::string& text) {
                   return holds(text, "the radius 0 ends it");
                 }));
@@ -640,7 +640,7 @@ TEST(RowsOffTheLaw, AreCountedAndTheFirstIsNamed) {
   EXPECT_EQ(hold(0.4, 0.1, 1.001 * force, ContactState::slip), 2);
   EXPECT_EQ(hold(0.5, 0.0, 300.001, ContactState::stick), 3);
   EXPECT_EQ(hold(0.6, 1e-9, 100.0, ContactState::stick), 4);
-  const auto warnings = studies::warnings_after(problem, studies::Inquiry::stepped_history, history);
+  const auto warnings = studies::warnings_after(problem, studies::finite_elements(), history);
   EXPECT_TRUE(std::ranges::any_of(warnings, [](const std::string& text) {
     return text.starts_with("at t = 0.3 s the contact is in slip") && holds(text, "at 4 times in all");
   }));

@@ -23,7 +23,12 @@ namespace stickslip::testing {
 namespace {
 
 using studies::Concern;
-using studies::Inquiry;
+using studies::criterion_warnings;
+using studies::design_warnings;
+using studies::event_driven;
+using studies::finite_elements;
+using studies::frequency_warnings;
+using studies::history_warnings;
 
 data::Case paper_with(const std::vector<data::Override>& overrides = {}) {
   return data::load_case("paper", overrides);
@@ -35,8 +40,8 @@ const studies::Warning* find(const std::vector<studies::Warning>& warnings, Conc
   return nullptr;
 }
 
-bool warns(const data::Case& problem, Inquiry inquiry, Concern concern) {
-  return find(studies::problem_warnings(problem, inquiry, 1), concern) != nullptr;
+bool warns(const std::vector<studies::Warning>& warnings, Concern concern) {
+  return find(warnings, concern) != nullptr;
 }
 
 std::string digits(double value) { return data::shortest_text(value); }
@@ -70,8 +75,8 @@ TEST(ThickBeam, WarnsWhereTimoshenkosDiffers) {
                    error, discretisation(next, 1.0, "the next order")))
             << mode;
         if (std::abs(error - studies::allowed_model_error) < next) continue;
-        const auto warnings = studies::problem_warnings(
-            problem, slips ? Inquiry::slip_frequencies : Inquiry::stick_frequencies, mode);
+        const auto warnings =
+            frequency_warnings(beam, slips ? analytic::TipSupport::free : analytic::TipSupport::held, mode);
         EXPECT_EQ(find(warnings, Concern::thick_beam) != nullptr, error > studies::allowed_model_error)
             << error;
         (find(warnings, Concern::thick_beam) == nullptr ? silent : warned) += 1;
@@ -116,8 +121,8 @@ TEST(CoarseMesh, WarnsWhereHalfTheElementsDiffer) {
       return solver::max_abs_friction_force(data::with_value(fine, "numerics.elements", number));
     };
     const data::Case coarse = data::with_value(fine, "numerics.elements", elements);
-    const bool is_silent = !warns(coarse, Inquiry::stepped_history, Concern::coarse_mesh) &&
-                           !warns(coarse, Inquiry::stepped_history, Concern::long_step);
+    const bool is_silent = !warns(history_warnings(coarse, finite_elements()), Concern::coarse_mesh) &&
+                           !warns(history_warnings(coarse, finite_elements()), Concern::long_step);
     const double change = std::abs(force(elements) / force(2 * elements) - 1.0);
     differ += change > 0.05 ? 1 : 0;
     silent += is_silent ? 1 : 0;
@@ -189,14 +194,15 @@ TEST(LongStep, IsWarnedOfWithAStepThatPasses) {
     const auto with_step = [&](double step) { return with_value(drawn, "numerics.time_step", step); };
     const double step = numbers.log_uniform(1e-3, 0.2) *
                         std::min(1.0 / drawn.excitation().frequency_hz(), drawn.numerics.duration());
-    const auto found = studies::problem_warnings(with_step(step), Inquiry::stepped_history);
+    const auto found = history_warnings(with_step(step), finite_elements());
     if (const auto* warning = find(found, Concern::long_step)) {
       ++warned;
       EXPECT_EQ(warning->value, step);
       EXPECT_LT(warning->limit, step);
-      EXPECT_FALSE(warns(with_step(warning->limit), Inquiry::stepped_history, Concern::long_step));
-      EXPECT_TRUE(warns(with_step(1.11 * warning->limit), Inquiry::stepped_history, Concern::long_step));
-      EXPECT_FALSE(warns(with_step(step), Inquiry::event_driven_history, Concern::long_step));
+      EXPECT_FALSE(warns(history_warnings(with_step(warning->limit), finite_elements()), Concern::long_step));
+      EXPECT_TRUE(
+          warns(history_warnings(with_step(1.11 * warning->limit), finite_elements()), Concern::long_step));
+      EXPECT_FALSE(warns(history_warnings(with_step(step), event_driven()), Concern::long_step));
     }
     const auto sentence = studies::fixed_step_warning(drawn, step);
     if (!sentence) return;
@@ -251,7 +257,7 @@ TEST(Resonance, WarnsWhileTheReactionGrows) {
       SCOPED_TRACE(half_beats);
       const data::Case problem =
           with_value(drawn, "excitation.frequency_hz", natural + half_beats / (2.0 * duration));
-      const auto warnings = studies::problem_warnings(problem, Inquiry::criterion);
+      const auto warnings = criterion_warnings(problem);
       const auto* warning = find(warnings, Concern::resonance);
       EXPECT_EQ(warning != nullptr, half_beats < 1.0);
       const analytic::StickResponse response(problem.beam(), problem.excitation(), 10);
@@ -262,15 +268,15 @@ TEST(Resonance, WarnsWhileTheReactionGrows) {
       EXPECT_EQ(warning->value, problem.excitation().frequency_hz());
       EXPECT_DOUBLE_EQ(warning->limit, natural);
       EXPECT_EQ(holds(warning->sentence, "grows with t, without end,"), half_beats == 0.0);
-      EXPECT_TRUE(warns(problem, Inquiry::closed_form_history, Concern::resonance));
-      EXPECT_FALSE(warns(problem, Inquiry::stepped_history, Concern::resonance));
+      EXPECT_TRUE(warns(history_warnings(problem, studies::closed_form()), Concern::resonance));
+      EXPECT_FALSE(warns(history_warnings(problem, finite_elements()), Concern::resonance));
       // The amplitude grows to Omega T/2 = 10 times that of one period; damping and rest end it.
       const double ten = 20.0 / studies::angular_frequency(problem.excitation());
       for (const auto& [key, value, is_left] : {std::tuple{"excitation.duration", 1.01 * ten, true},
                                                 {"excitation.duration", 0.99 * ten, false},
                                                 {"damping.ratio", 0.01, false},
                                                 {"excitation.amplitude", 0.0, false}})
-        EXPECT_EQ(warns(with_value(problem, key, value), Inquiry::criterion, Concern::resonance), is_left)
+        EXPECT_EQ(warns(criterion_warnings(with_value(problem, key, value)), Concern::resonance), is_left)
             << key << value;
     }
   });
@@ -285,10 +291,10 @@ TEST(Resonance, IsWarnedOfWithinTenPercent) {
     for (const double share : {-0.3, -0.11, -0.09, 0.09, 0.11, 0.3}) {
       const data::Case problem = with_values(drawn, {{"excitation.frequency_hz", natural / (1.0 + share)},
                                                      {"excitation.duration", 20.0 / natural}});
-      EXPECT_EQ(warns(problem, Inquiry::criterion, Concern::near_resonance), std::abs(share) < 0.1) << share;
+      EXPECT_EQ(warns(criterion_warnings(problem), Concern::near_resonance), std::abs(share) < 0.1) << share;
       EXPECT_FALSE(
-          warns(with_value(problem, "damping.ratio", 0.1), Inquiry::criterion, Concern::near_resonance));
-      EXPECT_FALSE(warns(problem, Inquiry::stepped_history, Concern::near_resonance));
+          warns(criterion_warnings(with_value(problem, "damping.ratio", 0.1)), Concern::near_resonance));
+      EXPECT_FALSE(warns(history_warnings(problem, finite_elements()), Concern::near_resonance));
       if (std::abs(share) > 0.2) continue;  // the other modes count there
       const auto force = [&](double factor) {
         const data::Case other =
@@ -383,9 +389,10 @@ TEST(Flutter, IsWarnedOfWhereAModeGrows) {
     const bool grows = grows_at(1.003 * load);
     if (grows != grows_at(0.997 * load)) return;
     EXPECT_EQ(warning.has_value(), grows);
-    for (const Inquiry inquiry : {Inquiry::stepped_history, Inquiry::event_driven_history})
-      EXPECT_EQ(warns(problem, inquiry, Concern::flutter) || warns(problem, inquiry, Concern::buckling),
-                grows);
+    for (const auto* method : {&finite_elements(), &event_driven()}) {
+      const auto found = history_warnings(problem, *method);
+      EXPECT_EQ(warns(found, Concern::flutter) || warns(found, Concern::buckling), grows);
+    }
     (grows ? growing : resting) += 1;
     EXPECT_TRUE(!warning || (grows_at(1.003 * warning->limit) && !grows_at(0.997 * warning->limit)));
   });
@@ -398,9 +405,9 @@ TEST(Flutter, GivesWayToBucklingUnderADeadLoad) {
     const double euler = std::pow(0.5 * std::numbers::pi / 2.0, 2) * 2e9 * 1e-4 / 12.0;
     const data::Case problem =
         paper_with({{"beam.axial_direction", "1"}, {"beam.axial_force", digits(share * euler)}});
-    EXPECT_EQ(warns(problem, Inquiry::event_driven_history, Concern::buckling), share > 1.0);
-    EXPECT_FALSE(warns(problem, Inquiry::event_driven_history, Concern::flutter));
-    EXPECT_FALSE(warns(problem, Inquiry::criterion, Concern::buckling));
+    EXPECT_EQ(warns(history_warnings(problem, event_driven()), Concern::buckling), share > 1.0);
+    EXPECT_FALSE(warns(history_warnings(problem, event_driven()), Concern::flutter));
+    EXPECT_FALSE(warns(criterion_warnings(problem), Concern::buckling));
   }
 }
 
@@ -442,21 +449,20 @@ TEST(Flutter, IsHeldByTheBoundaryIntegralForAWhile) {
                        {"excitation.duration", digits(duration)},
                        {"numerics.time_step", "1e-3"}});
   };
-  const auto refusal = [](const data::Case& problem, Inquiry inquiry) {
-    return error_message_if_any<data::FieldError>([&] { studies::require_held_growth(problem, inquiry); });
+  const auto refusal = [](const data::Case& problem, const studies::Method& by) {
+    return error_message_if_any<data::FieldError>([&] { studies::require_held_growth(problem, by); });
   };
-  const auto method = Inquiry::boundary_integral_history;
+  const studies::Method& method = studies::boundary_integral();
   EXPECT_TRUE(holds(refusal(at("8e4", 0.2), method).value_or(""),
                     "excitation.duration is 0.2, but must be at most 0.15"));
-  EXPECT_EQ(refusal(at("8e4", 0.2), Inquiry::stepped_history), std::nullopt);
+  EXPECT_EQ(refusal(at("8e4", 0.2), finite_elements()), std::nullopt);
   EXPECT_EQ(refusal(at("6.8e4", 1.0), method), std::nullopt);
   // Up to there it is right: to 1e-4 for the weights and as much for its steps and the other's modes.
   const data::Case problem = at("8e4", 0.15);
   EXPECT_EQ(refusal(problem, method), std::nullopt);
   const studies::Sampling end{.times = {0.15}, .with_midspan = false};
-  const double
-      tip = studies::method("boundary-integral").run(problem, end, {}, {}).rows.back().tip_displacement,
-      other = studies::event_driven_history(problem, end).rows.back().tip_displacement;
+  const double tip = method.run(problem, end, {}, {}).rows.back().tip_displacement,
+               other = studies::event_driven_history(problem, end).rows.back().tip_displacement;
   EXPECT_TRUE(within(tip, other, reference(1e-3 * std::abs(other), "weights, steps and modes")));
 }
 
@@ -467,7 +473,7 @@ TEST(LongSteps, WarnIfTwiceTheStepDiffers) {
     const data::Case problem = data::load_case("damped", step);
     const auto history = studies::finite_element_history(problem);
     EXPECT_EQ(history.events.size() == 47, step.empty()) << history.events.size();
-    const auto warnings = studies::warnings_after(problem, Inquiry::stepped_history, history);
+    const auto warnings = studies::warnings_after(problem, finite_elements(), history);
     return std::ranges::any_of(warnings, [](const std::string& text) {
       return holds(text, "with twice the step the changes of contact are others from t = 0.466");
     });
@@ -500,8 +506,8 @@ duration = 0.001289531815009417
 [damping]
 kelvin_voigt = 1.5280465638377978e-06
 )");
-  const auto history = studies::method("boundary-integral").run(problem, {.with_midspan = false}, {}, {});
-  const auto warnings = studies::warnings_after(problem, Inquiry::boundary_integral_history, history);
+  const auto history = studies::boundary_integral().run(problem, {.with_midspan = false}, {}, {});
+  const auto warnings = studies::warnings_after(problem, studies::boundary_integral(), history);
   EXPECT_TRUE(std::ranges::any_of(warnings, [](const std::string& text) {
     return holds(text, "changes of contact follow each other within a step of");
   }));
@@ -510,15 +516,16 @@ kelvin_voigt = 1.5280465638377978e-06
 STICKSLIP_VERIFIES(ProblemWarnings, "X21");
 // 25 Hz is 0.028 Hz above the first natural frequency: |f| grows for 17.8 s, longer than the run.
 TEST(ProblemWarnings, OfThePapersCaseAreOne) {
-  const auto concerns = [](Inquiry inquiry, int frequencies) {
-    return concerns_of(studies::problem_warnings(paper_with(), inquiry, frequencies));
+  const data::Case paper = paper_with();
+  const auto concerns = [&](analytic::TipSupport tip, int count) {
+    return concerns_of(frequency_warnings(paper.beam(), tip, count));
   };
-  EXPECT_EQ(concerns(Inquiry::criterion, 0), std::vector{Concern::resonance});
-  EXPECT_EQ(concerns(Inquiry::stepped_history, 0), std::vector<Concern>{});
-  EXPECT_EQ(concerns(Inquiry::event_driven_history, 0), std::vector<Concern>{});
-  EXPECT_EQ(concerns(Inquiry::stick_frequencies, 2), std::vector<Concern>{});
-  EXPECT_EQ(concerns(Inquiry::slip_frequencies, 3), std::vector<Concern>{});
-  EXPECT_EQ(concerns(Inquiry::stick_frequencies, 3), std::vector{Concern::thick_beam});  // by 5.2 %
+  EXPECT_EQ(concerns_of(criterion_warnings(paper)), std::vector{Concern::resonance});
+  EXPECT_EQ(concerns_of(history_warnings(paper, finite_elements())), std::vector<Concern>{});
+  EXPECT_EQ(concerns_of(history_warnings(paper, event_driven())), std::vector<Concern>{});
+  EXPECT_EQ(concerns(analytic::TipSupport::held, 2), std::vector<Concern>{});
+  EXPECT_EQ(concerns(analytic::TipSupport::free, 3), std::vector<Concern>{});
+  EXPECT_EQ(concerns(analytic::TipSupport::held, 3), std::vector{Concern::thick_beam});  // by 5.2 %
 }
 
 TEST(ProblemWarnings, OfAMapAreThoseOfNoAxis) {
@@ -546,7 +553,7 @@ TEST(ProblemWarnings, OfAMapByElementsNameTheMesh) {
   studies::MapTask task{.problem = paper_with({{"numerics.elements", "2"}}),
                         .x = studies::map_axis("excitation.frequency_hz", 30.0, 35.0, 2, false),
                         .y = studies::map_axis("excitation.amplitude", 3e-4, 5e-4, 2, false),
-                        .method = studies::MapMethod::finite_elements};
+                        .method = &finite_elements()};
   EXPECT_EQ(concerns_of(studies::map_warnings(task)).back(), Concern::coarse_mesh);
   task.problem = paper_with();
   EXPECT_EQ(concerns_of(studies::map_warnings(task)), std::vector<Concern>{});
@@ -554,48 +561,53 @@ TEST(ProblemWarnings, OfAMapByElementsNameTheMesh) {
 
 TEST(ProblemWarnings, AreOneSentenceEach) {
   int warnings = 0;
-  for (const auto& [name, title] : data::list_cases())
-    for (const Inquiry inquiry : {Inquiry::stick_frequencies, Inquiry::slip_frequencies, Inquiry::criterion,
-                                  Inquiry::closed_form_history, Inquiry::event_driven_history,
-                                  Inquiry::stepped_history, Inquiry::design})
-      for (const auto& warning : studies::problem_warnings(data::load_case(name), inquiry, 10)) {
-        if (inquiry != Inquiry::stick_frequencies && inquiry != Inquiry::slip_frequencies) {
-          const auto after = studies::warnings_after(data::load_case(name), inquiry, {});
-          EXPECT_NE(std::ranges::find(after, warning.sentence), after.end());
-        }
-        EXPECT_EQ(warning.sentence.find_first_of("\r\n"), std::string::npos);
-        EXPECT_LT(warning.sentence.size(), 300u) << warning.sentence;
-        ++warnings;
-      }
+  const auto expect_sentences = [&](const std::vector<studies::Warning>& found) {
+    for (const auto& warning : found) {
+      EXPECT_EQ(warning.sentence.find_first_of("\r\n"), std::string::npos);
+      EXPECT_LT(warning.sentence.size(), 300u) << warning.sentence;
+      ++warnings;
+    }
+  };
+  for (const auto& [name, title] : data::list_cases()) {
+    const data::Case problem = data::load_case(name);
+    for (const auto tip : {analytic::TipSupport::held, analytic::TipSupport::free})
+      expect_sentences(frequency_warnings(problem.beam(), tip, 10));
+    expect_sentences(criterion_warnings(problem));
+    expect_sentences(design_warnings(problem));
+    for (const studies::Method& method : studies::methods()) {
+      const auto found = history_warnings(problem, method);
+      expect_sentences(found);
+      const auto after = studies::warnings_after(problem, method, {});
+      for (const auto& warning : found) EXPECT_NE(std::ranges::find(after, warning.sentence), after.end());
+    }
+  }
   EXPECT_GT(warnings, 10);
 }
 
 TEST(ProblemWarnings, RefuseFromTheNamedPeriodsOn) {
   const double tenth = analytic::stick_modes(paper_with().beam(), 10).back().frequency_hz();
-  const auto error_message = [](double hz, double duration, Inquiry inquiry) {
+  using Refusal = void (*)(const data::Case&);
+  const auto error_message = [](double hz, double duration, Refusal require) {
     return error_message_if_any<data::FieldError>([&] {
-      studies::require_feasible(paper_with({{"excitation.frequency_hz", digits(hz)},
-                                            {"numerics.time_step", "1e-3"},
-                                            {"excitation.duration", digits(duration)}}),
-                                inquiry);
+      require(paper_with({{"excitation.frequency_hz", digits(hz)},
+                          {"numerics.time_step", "1e-3"},
+                          {"excitation.duration", digits(duration)}}));
     });
   };
-  for (const auto& [inquiry, periods, number] : {std::tuple{Inquiry::criterion, 1e8, "a hundred million"},
-                                                 {Inquiry::closed_form_history, 1e8, "a hundred million"},
-                                                 {Inquiry::design, 1e8, "a hundred million"},
-                                                 {Inquiry::event_driven_history, 1e6, "a million"}})
+  for (const auto& [require, periods, number] :
+       {std::tuple{Refusal(studies::require_feasible), 1e8, "a hundred million"},
+        {studies::closed_form().require_feasible, 1e8, "a hundred million"},
+        {event_driven().require_feasible, 1e6, "a million"}})
     for (const double hz : {25.0, 2000.0}) {
       const double highest = std::max(hz, tenth), longest = periods / highest;
-      EXPECT_EQ(error_message(hz, 0.999 * longest, inquiry), std::nullopt);
+      EXPECT_EQ(error_message(hz, 0.999 * longest, require), std::nullopt);
       EXPECT_EQ(
-          error_message(hz, 1.001 * longest, inquiry),
+          error_message(hz, 1.001 * longest, require),
           fmt::format("excitation.duration is {}, but must be at most {:.3g} s, {} periods of {}, {:.3g} Hz",
                       digits(1.001 * longest), longest, number,
                       hz > tenth ? "the excitation" : "natural frequency 10", highest));
     }
-  for (const Inquiry inquiry :
-       {Inquiry::stepped_history, Inquiry::stick_frequencies, Inquiry::slip_frequencies})
-    EXPECT_EQ(error_message(25.0, 1e5, inquiry), std::nullopt);
+  EXPECT_EQ(error_message(25.0, 1e5, finite_elements().require_feasible), std::nullopt);
   // 1/20000 of the period of the first mode, 24.97 Hz, and of an excitation above it.
   for (const auto& [hz, halvings] : {std::pair{"5", 64}, {"25", 64}, {"100", 256}})
     EXPECT_EQ(studies::boundary_integral_step(paper_with({{"excitation.frequency_hz", hz}})),
