@@ -31,9 +31,9 @@ struct History {
 
 // f and u(L/2) by the plain loop.
 History plain_history(const data::Case& problem, bool starts_with_the_base, long steps) {
-  BeamSimulation run(problem, {.is_bonded = true,
-                               .starts_with_the_base = starts_with_the_base,
-                               .coordinates = Coordinates::nodal});
+  BeamSimulation run(
+      problem,
+      {.is_bonded = true, .starts_with_the_base = starts_with_the_base, .coordinates = Coordinates::nodal});
   History history;
   const auto note = [&] {
     history.force.push_back(run.friction_force());

@@ -4,8 +4,8 @@
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "studies/analyses/criterion_answer.hpp"
-#include "studies/history/natural_frequencies.hpp"
 #include "studies/common/problem_parameter.hpp"
+#include "studies/history/natural_frequencies.hpp"
 #include "support/random_cases.hpp"
 #include "support/testing.hpp"
 

@@ -16,6 +16,7 @@
 #include "studies/common/discretisation.hpp"
 #include "studies/common/problem_parameter.hpp"
 #include "studies/history/method.hpp"
+#include "studies/history/natural_frequencies.hpp"
 #include "support/random_cases.hpp"
 #include "support/testing.hpp"
 

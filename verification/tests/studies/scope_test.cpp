@@ -3,6 +3,7 @@
 /// implementations refuse.
 
 #include "studies/verification/scope.hpp"
+#include "studies/history/natural_frequencies.hpp"
 
 #include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/modal_reaction.hpp"
