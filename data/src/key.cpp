@@ -275,9 +275,9 @@ Case with_values(const Case& problem, const std::vector<std::pair<std::string_vi
 
 Case restated(const Case& problem, const std::vector<std::pair<std::string_view, double>>& values) {
   CaseNumbers numbers = numbers_with(problem, values);
-  const CaseNumbers defaults{.numerics =
-                                 default_numerics(Beam(numbers.beam), HarmonicExcitation(numbers.excitation),
-                                                  numbers.numerics.duration, Damping(numbers.damping))};
+  CaseNumbers defaults;
+  defaults.numerics = default_numerics(Beam(numbers.beam), HarmonicExcitation(numbers.excitation),
+                                       numbers.numerics.duration, Damping(numbers.damping));
   for (const std::string& path : problem.default_numerics) {
     const KeyMember& member = key_named(path).member;
     member.set(numbers, member.get(defaults));
