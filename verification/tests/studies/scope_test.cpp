@@ -107,7 +107,6 @@ TEST(Refusals, AreForForcesWithoutAStickState) {
   auto choices = paper_choices(1e-3);
   choices.elements = 10;
   const data::NumericalSettings numerics(choices);
-  const auto shaking = excitation(25.0, 1e-3);
   for (const double share : {-3.0, -1e-8, 0.0, 1e-8, 0.999, 1.001, 3.99, 8.0}) {
     SCOPED_TRACE(share);
     const data::Beam beam = paper_beam_with_axial_force(share * analytic::stick_buckling_load(paper_beam()));

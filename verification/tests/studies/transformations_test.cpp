@@ -224,7 +224,6 @@ std::vector<Quantity> stick_response(const Scene& scene) {
 }
 
 std::vector<Quantity> criterion(const Scene& scene) {
-  const data::Beam& beam = scene.problem.beam();
   const data::HarmonicExcitation& excitation = scene.problem.excitation();
   const auto found = analytic::evaluate_criterion(
       with_duration(with(scene.problem, data::Damping()), 2.0 * period(excitation), 10));
