@@ -85,6 +85,13 @@ std::optional<double> unit_force(const data::Case& problem, const ModelVariant& 
   const data::Damping damping({.ratio = variant.damping_ratio});
   const double omega = angular_frequency(problem.excitation()), duration = problem.numerics.duration();
   const int modes = problem.numerics.modes();
+  if (!std::isfinite(variant.stiffness_ratio) && damping.is_none()) {
+    const data::HarmonicExcitation unit(
+        {.frequency_hz = problem.excitation().frequency_hz(), .amplitude = 1.0});
+    return analytic::StickResponse(beam, unit, modes, analytic::SteadyPart::exact)
+        .max_abs_friction_force(duration, bound_width)
+        .midpoint();
+  }
   const double stiffness = variant.stiffness_ratio * 3.0 * beam.youngs_modulus() *
                            beam.second_moment_of_area() / std::pow(beam.length(), 3);
   try {
