@@ -53,11 +53,10 @@ constexpr double steps = 1e5;
 
 data::Case paper_case(const data::HarmonicExcitation& excitation = shaking(25.0, 1e-3)) {
   return {.name = "paper",
-          .beam = paper_beam,
-          .friction = paper_friction,
-          .excitation = excitation,
-          .numerics = settings(20),
-          .damping = {}};
+          .structure = paper_beam,
+          .motion = excitation,
+          .contact = {.friction = paper_friction},
+          .numerics = settings(20)};
 }
 
 // Sets the counters of operations and bytes per step, for the fractions of the peak performance.
