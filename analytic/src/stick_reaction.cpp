@@ -29,39 +29,45 @@ StickResponse exact_response(const data::Case& problem, int modes) {
 
 }  // namespace
 
-StickReaction::StickReaction(const data::Case& problem)
-    : omega_(angular_frequency(problem)), duration_(problem.numerics.duration()) {
-  const int modes = problem.numerics.modes();
-  auto kept = std::make_shared<Kept>();
-  if (problem.damping.is_none())
-    kept->undamped = modal_reaction(problem.beam(), modes);
-  else
-    kept->damped = damped_reaction(problem.beam(), problem.damping, modes);
-  kept_ = std::move(kept);
-}
-
-StickReaction::StickReaction(const data::Case& problem, int modes)
-    : omega_(angular_frequency(problem)), duration_(problem.numerics.duration()) {
-  const data::Beam& beam = problem.beam();
-  auto kept = std::make_shared<Kept>();
-  if (!problem.damping.is_none()) {
-    kept->damped = damped_reaction(beam, problem.damping, modes, SteadyPart::exact);
-    kept->half = damped_reaction(beam, problem.damping, modes / 2, SteadyPart::exact);
-  } else if (problem.has(data::Feature::shear)) {
-    kept->undamped = timoshenko_reaction(beam, modes, omega_);
-    kept->omitted = timoshenko_omitted_transient(timoshenko_reaction(beam, modes), omega_);
-  } else {
-    const StickResponse response = exact_response(problem, modes);
-    kept->undamped = response.reaction();
-    kept->omitted = response.omitted_transient_bound();
-  }
-  kept_ = std::move(kept);
-}
-
-StickReaction::StickReaction(const data::Case& problem, ModalReaction reaction)
-    : kept_(std::make_shared<const Kept>(Kept{.undamped = std::move(reaction), .damped = {}, .half = {}})),
+StickReaction::StickReaction(const data::Case& problem, Kept kept)
+    : kept_(std::make_shared<const Kept>(std::move(kept))),
       omega_(angular_frequency(problem)),
       duration_(problem.numerics.duration()) {}
+
+StickReaction::StickReaction(const data::Case& problem) : StickReaction(problem, kept_of(problem)) {}
+
+StickReaction::StickReaction(const data::Case& problem, int modes)
+    : StickReaction(problem, kept_of(problem, modes)) {}
+
+StickReaction::StickReaction(const data::Case& problem, ModalReaction reaction)
+    : StickReaction(problem, Kept{.undamped = std::move(reaction), .damped = {}, .half = {}}) {}
+
+StickReaction::Kept StickReaction::kept_of(const data::Case& problem) {
+  Kept kept;
+  if (problem.damping.is_none())
+    kept.undamped = modal_reaction(problem.beam(), problem.numerics.modes());
+  else
+    kept.damped = damped_reaction(problem.beam(), problem.damping, problem.numerics.modes());
+  return kept;
+}
+
+StickReaction::Kept StickReaction::kept_of(const data::Case& problem, int modes) {
+  const data::Beam& beam = problem.beam();
+  Kept kept;
+  if (!problem.damping.is_none()) {
+    kept.damped = damped_reaction(beam, problem.damping, modes, SteadyPart::exact);
+    kept.half = damped_reaction(beam, problem.damping, modes / 2, SteadyPart::exact);
+  } else if (problem.has(data::Feature::shear)) {
+    const double omega = angular_frequency(problem);
+    kept.undamped = timoshenko_reaction(beam, modes, omega);
+    kept.omitted = timoshenko_omitted_transient(timoshenko_reaction(beam, modes), omega);
+  } else {
+    const StickResponse response = exact_response(problem, modes);
+    kept.undamped = response.reaction();
+    kept.omitted = response.omitted_transient_bound();
+  }
+  return kept;
+}
 
 StickReaction StickReaction::of(const data::Case& other) const {
   StickReaction reaction = *this;
@@ -147,12 +153,7 @@ Bounds steady_reaction(const data::Case& problem) {
     return exactly(
         std::abs(DampedSteadyState(problem.beam(), unit, kelvin_voigt, TipSupport::held).friction_force()));
   }
-  const int modes = modes_of_all(problem).first;
-  const auto reaction = [&](int count) {
-    return damped_reaction(problem.beam(), problem.damping, count, SteadyPart::exact);
-  };
-  return DampedForce(reaction(modes), omega, problem.numerics.duration(), reaction(modes / 2))
-      .steady_bounds();
+  return StickReaction(problem, modes_of_all(problem).first).damped_steady();
 }
 
 std::vector<ModalForce> held_modes(const data::Case& problem, int count) {

@@ -40,6 +40,8 @@ class StickReaction {
   /// The search for the largest max |f| over a band of frequencies.
   [[nodiscard]] BandMaximum over(const FrequencyBand& band,
                                  DampedForcePart part = DampedForcePart::start_up) const;
+  /// Bounds of the amplitude of the steady part of a damped case (DampedForce::steady_bounds()).
+  [[nodiscard]] Bounds damped_steady() const { return damped_force().steady_bounds(); }
   /// The least damping ratio of the modes that vibrate; 0 without damping.
   [[nodiscard]] double least_damping_ratio() const;
 
@@ -49,6 +51,9 @@ class StickReaction {
     std::optional<DampedReaction> damped, half;  // half as many modes of it, for what is left out
     double omitted{};                            // of undamped, N/m
   };
+  StickReaction(const data::Case& problem, Kept kept);
+  [[nodiscard]] static Kept kept_of(const data::Case& problem);
+  [[nodiscard]] static Kept kept_of(const data::Case& problem, int modes);
   [[nodiscard]] DampedForce damped_force() const;
 
   std::shared_ptr<const Kept> kept_;
