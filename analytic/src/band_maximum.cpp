@@ -22,9 +22,6 @@ constexpr std::array kWidthsOfAnAnswer{1e-3, 1e-10};
 
 }  // namespace
 
-BandMaximum::BandMaximum(const data::Beam& beam, const FrequencyBand& band, double duration, int modes)
-    : BandMaximum(modal_reaction(beam, modes), band, duration) {}
-
 BandMaximum::BandMaximum(const ModalReaction& reaction, const FrequencyBand& band, double duration)
     : reaction_(reaction), duration_(duration) {
   std::vector<double> natural;

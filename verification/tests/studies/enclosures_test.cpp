@@ -2,10 +2,10 @@
 /// Bounds of the largest friction force: every search against a truth that is not its own. Of a sum of sinusoids that is its
 /// enclosure by ball arithmetic, of all modes finite elements, of a band the force at each of its frequencies.
 
-#include "stickslip/analytic/band_maximum.hpp"
 #include "stickslip/analytic/damped_reaction.hpp"
 #include "stickslip/analytic/damped_steady_state.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
+#include "stickslip/analytic/stick_reaction.hpp"
 #include "stickslip/certified/force_maximum.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "studies/analyses/criterion_answer.hpp"
@@ -363,13 +363,7 @@ double steady_force(const data::Case& problem) {
 
 // Where the largest force of a band is, and on which side of it a limit.
 void expect_decisions(const data::Case& problem, const FrequencyBand& band, double largest) {
-  const auto search = [&]() -> analytic::BandMaximum {
-    const int modes = problem.numerics.modes();
-    const double duration = problem.numerics.duration();
-    if (problem.damping.is_none()) return {problem.beam(), band, duration, modes};
-    return {analytic::damped_reaction(problem.beam(), problem.damping, modes), band, duration,
-            analytic::DampedForcePart::start_up};
-  };
+  const auto search = [&] { return analytic::StickReaction(problem).over(band); };
   for (const double share : {0.3, 0.99, 0.9998, 1.0002, 1.01, 3.0}) {
     const double limit = share * largest / at_hz(problem, band.from_hz).excitation().amplitude();
     analytic::BandMaximum against = search();

@@ -243,7 +243,7 @@ std::vector<Quantity> criterion(const Scene& scene) {
 std::vector<Quantity> band_maximum(const Scene& scene) {
   const data::Beam& beam = scene.problem.beam();
   const double first = stick_frequencies(beam, 1).front() / (2.0 * pi);
-  analytic::BandMaximum band(beam, {0.5 * first, 1.5 * first}, 4.0 / first, 4);
+  analytic::BandMaximum band(analytic::modal_reaction(beam, 4), {0.5 * first, 1.5 * first}, 4.0 / first);
   const auto found = band.refined_to(1e-2);
   return {{found.lower, {0, 1, -2}},
           {found.upper, {0, 1, -2}},

@@ -64,10 +64,8 @@ enum class DampedForcePart {
 /// The search for that largest force. Each call continues it.
 class BandMaximum {
  public:
-  /// Throws what stick_modes() throws, and std::invalid_argument unless 0 < from_hz ≤ to_hz and
+  /// Throws std::invalid_argument unless 0 < from_hz ≤ to_hz and
   /// duration > 0 (excitation.duration).
-  BandMaximum(const data::Beam& beam, const FrequencyBand& band, double duration, int modes = 10);
-  /// The same of a reaction.
   BandMaximum(const ModalReaction& reaction, const FrequencyBand& band, double duration);
   BandMaximum(const DampedReaction& reaction, const FrequencyBand& band, double duration,
               DampedForcePart part);
