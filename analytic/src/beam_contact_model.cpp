@@ -94,7 +94,7 @@ BeamContactModel::BeamContactModel(const data::Beam& beam, const data::FrictionL
   model_.wall_speed = wall.speed();
   model_.normal_force = beam.axial_force();
   model_.friction = friction;
-  if (damping.kelvin_voigt() > 0.0 || damping.ratio() > 0.0) add_damping(beam, damping, mass);
+  if (!damping.is_none()) add_damping(beam, damping, mass);
 }
 
 BeamContactModel::BeamContactModel(const data::Case& problem, int modes)

@@ -481,7 +481,7 @@ Recipes damping_mistakes() {
        .scheme = with_damping_added},
       {.wrong_model = {"damping-left-out", "the damping of the problem is left out", "Eq. (1)", stick_slip},
        .inputs = [](const data::Case& problem) -> std::optional<data::Case> {
-         if (problem.damping.ratio() == 0.0 && problem.damping.kelvin_voigt() == 0.0) return std::nullopt;
+         if (problem.damping.is_none()) return std::nullopt;
          return with(problem, data::Damping());
        }},
       {.wrong_model =
