@@ -23,6 +23,11 @@ std::string without_blanks_at_the_end(const std::string& line) {
   return line.substr(0, line.find_last_not_of(' ') + 1);
 }
 
+// With blanks to the width of its column, one at least.
+std::string padded(std::string_view text, std::size_t width) {
+  return fmt::format("{:<{}}", text, std::max(width, text.size() + 1));
+}
+
 }  // namespace
 
 void set_most_digits(int digits) { most_digits = digits; }
@@ -80,15 +85,6 @@ Value estimated(const studies::Estimate& estimate, int decimals) {
   return estimated(estimate,
                    fmt::format("{0:.{3}f} ({1:.{3}f} ... {2:.{3}f})", value, lower, upper, decimals));
 }
-
-namespace {
-
-// With blanks to the width of its column, one at least.
-std::string padded(std::string_view text, std::size_t width) {
-  return fmt::format("{:<{}}", text, std::max(width, text.size() + 1));
-}
-
-}  // namespace
 
 Value word(std::string_view text) { return {text, std::string(text)}; }
 

@@ -3,7 +3,6 @@
 /// implementations refuse.
 
 #include "studies/verification/scope.hpp"
-#include "studies/history/natural_frequencies.hpp"
 
 #include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/modal_reaction.hpp"
@@ -14,6 +13,7 @@
 #include "studies/analyses/criterion_answer.hpp"
 #include "studies/analyses/problem_warnings.hpp"
 #include "studies/common/problem_parameter.hpp"
+#include "studies/history/natural_frequencies.hpp"
 #include "studies/verification/amplitude_limits.hpp"
 #include "support/beams.hpp"
 #include "support/paper_case.hpp"
