@@ -171,8 +171,8 @@ void add_options(CLI::App& command, SquealOptions& options) {
       command.add_option("--speeds", options.speeds, "Speeds of the map, m/s")->type_name("FROM:TO");
   auto* ratios =
       command.add_option("--ratios", options.ratios, "Damping ratios of the map")->type_name("FROM:TO");
-  map->needs(speeds)->needs(ratios);
-  speeds->needs(map);
+  map->needs(speeds);
+  speeds->needs(ratios);
   ratios->needs(map);
   add_integer_option(command, "--count", options.count, 2, 500, "Values along each axis of the map")
       ->needs(map);

@@ -265,7 +265,7 @@ constexpr std::pair<const char*, const char*> rows_of_options[] = {
     {"squeal reed --speed 0", "--speed: wall.speed is 0, but must be other than 0"},
     {"squeal reed --set numerics.elements=201", "numerics.elements is 201, but must be at most 200 here"},
     {"squeal reed --map m.csv", "--map requires --speeds"},
-    {"squeal reed --speeds 0.1:1", "--speeds requires --map"},
+    {"squeal reed --speeds 0.1:1", "--speeds requires --ratios"},
     {"squeal reed --figure m.png", "--map FILE is missing"},
     {"squeal reed --map a.csv --speeds 1e-16:1 --ratios 0.01:0.02",
      "--speeds: wall.speed is 1e-16, but must be "},
