@@ -321,7 +321,7 @@ TEST_P(RandomHistories, AgreeWithEventsAndObeyTheLaw) {
     const long steps = solver::step_count(problem.numerics.duration(), h);
     if (steps > 50000) return;
     Times times;
-    for (long n = 1; n <= 8; ++n) times.push_back(static_cast<double>(steps / 16 * 2 * n) * h);
+    for (long n = 1; n <= 8; ++n) times.push_back(static_cast<double>((steps - 1) / 16 * 2 * n) * h);
     const auto run = [&](double step) { return method.run(with_step(problem, step), times); };
     Runs runs{{}, run(h), {}, h, method.grid};
     runs.twice = method.order > 0.0 ? run(2.0 * h) : runs.own;
