@@ -10,8 +10,8 @@
 #include "beam_constants.hpp"
 #include "gsl_handles.hpp"
 #include "special_functions.hpp"
-#include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/analytic/event_driven.hpp"
+#include "stickslip/analytic/held_beam.hpp"
 #include "stickslip/analytic/stick_propagator.hpp"
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/analytic/tip_mobility.hpp"
@@ -23,17 +23,18 @@ constexpr int undamped_modes = 200, damped_modes = 40;
 constexpr std::size_t most_steps = std::size_t{1} << 26;
 
 void require_usable(const data::Damping& damping, const TimeGrid& grid) {
-  require_no_damping_ratio(damping);
+  require_kelvin_voigt(damping);
   require_positive("time_step", grid.time_step);
   if (grid.steps < 1 || grid.steps > most_steps)
     throw data::FieldError("steps", static_cast<double>(grid.steps), "1 ... " + std::to_string(most_steps));
 }
 
-/// The beam with damping, its tip held by as much friction as it takes.
-BeamContactModel held_beam(const data::Beam& beam, const data::HarmonicExcitation& excitation,
-                           const data::Damping& damping) {
-  const data::FrictionLaw friction({.static_coefficient = 1e9, .kinetic_coefficient = 0.0, .decay = 0.0});
-  return {beam, friction, excitation, damping, damped_modes};
+/// The contact held by more friction than any case has.
+ContactModel bonded_model(const HeldStructure& structure, const data::HarmonicExcitation& excitation) {
+  ContactModel model = contact_model(structure, excitation);
+  model.normal_force = 1e18;
+  model.friction = data::FrictionLaw({.static_coefficient = 1.0, .kinetic_coefficient = 0.0, .decay = 0.0});
+  return model;
 }
 
 /// Adds amplitude sin(ω t), its mean over each step, to the values. The phase is turned from step to step
@@ -88,7 +89,7 @@ std::vector<double> undamped_holding_force(const data::Beam& beam, const data::H
 std::vector<double> damped_holding_force(const data::Beam& beam, const data::HarmonicExcitation& excitation,
                                          const data::Damping& damping, const TimeGrid& grid) {
   const StatusInsteadOfAbort guard;
-  const ContactModel model = held_beam(beam, excitation, damping).model();
+  const ContactModel model = bonded_model(HeldBeam(beam, damping, damped_modes).structure(), excitation);
   const ContactDynamics dynamics(model);
   StickPropagator held(dynamics);
   held.begin(0.0, {std::vector<double>(dynamics.modes()), std::vector<double>(dynamics.modes())});
@@ -129,9 +130,9 @@ std::vector<double> held_displacement(const data::Beam& beam, const data::Harmon
     const StickResponse response(beam, excitation, undamped_modes, SteadyPart::exact);
     sample(response.absolute_displacement(x));
   } else {
-    const BeamContactModel held = held_beam(beam, excitation, damping);
+    const HeldBeam held(beam, damping, damped_modes);
     const std::vector<double> shapes = held.shapes(x);
-    EventDriven run(held.model());
+    EventDriven run(bonded_model(held.structure(), excitation));
     sample([&](double t) {
       run.advance_to(t);
       return absolute_displacement(shapes, run);

@@ -12,7 +12,6 @@
 #include "arguments.hpp"
 #include "separated_system.hpp"
 #include "special_functions.hpp"
-#include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/analytic/contact_dynamics.hpp"
 #include "stickslip/analytic/timoshenko_modes.hpp"
 
@@ -54,14 +53,17 @@ std::vector<ModalShare> matched(const std::vector<ModalShare>& all, const std::v
   return partners;
 }
 
+// On a base that moves by sin(t).
+ContactModel unit_motion(const HeldStructure& structure) {
+  return contact_model(structure,
+                       data::HarmonicExcitation({.frequency_hz = 0.5 / std::numbers::pi, .amplitude = 1.0}));
+}
+
 }  // namespace
 
-DampedReaction damped_reaction(const data::Beam& beam, const data::Damping& damping, int modes,
-                               SteadyPart steady_part) {
-  const data::HarmonicExcitation unit({.frequency_hz = 0.5 / std::numbers::pi, .amplitude = 1.0});
-  const BeamContactModel structure(beam, data::FrictionLaw({}), unit, damping, modes);
-  const ContactDynamics dynamics(structure.model());
-  const double omega = structure.model().load_angular_frequency;  // 1 rad/s, up to rounding
+DampedReaction damped_reaction(const HeldStructure& structure, SteadyPart steady_part) {
+  const ContactDynamics dynamics(unit_motion(structure));
+  const double omega = dynamics.model().load_angular_frequency;  // 1 rad/s, up to rounding
   const Harmonic force = dynamics.held_force();
 
   // f = -f_d, and w = -h.
@@ -75,11 +77,8 @@ DampedReaction damped_reaction(const data::Beam& beam, const data::Damping& damp
   return reaction;
 }
 
-DampedReaction compliant_reaction(const data::Beam& beam, const data::Damping& damping,
-                                  double tangential_stiffness, int modes) {
-  const data::HarmonicExcitation unit({.frequency_hz = 0.5 / std::numbers::pi, .amplitude = 1.0});
-  const BeamContactModel structure(beam, data::FrictionLaw({}), unit, damping, modes);
-  const ContactDynamics dynamics(structure.model());
+DampedReaction compliant_reaction(const HeldStructure& structure, double tangential_stiffness) {
+  const ContactDynamics dynamics(unit_motion(structure));
   const std::size_t m = dynamics.modes(), size = m + 1;
   const double scale = dynamics.fastest();
   const double held = tangential_stiffness / (dynamics.held_stiffness() + tangential_stiffness);  // 1 - x_s

@@ -16,6 +16,7 @@
 #include "special_functions.hpp"
 #include "stickslip/analytic/contact_dynamics.hpp"
 #include "stickslip/analytic/periodic_motion.hpp"
+#include "stickslip/analytic/tip_mobility.hpp"
 
 namespace stickslip::analytic {
 namespace {
@@ -107,6 +108,11 @@ std::vector<Complex> sliding_eigenvalues(const ContactModel& model, double kappa
   for (Complex& s : roots) s *= unit;
   std::ranges::sort(roots, std::greater(), [](Complex s) { return s.real(); });
   return roots;
+}
+
+Mobility contact_mobility(const data::Case& problem, const ContactModel& model) {
+  if (problem.damping.is_kelvin_voigt()) return TipMobility(problem.beam(), problem.damping);
+  return contact_mobility(model);
 }
 
 Mobility contact_mobility(const ContactModel& model) {

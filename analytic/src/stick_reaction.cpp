@@ -47,20 +47,19 @@ StickReaction::Kept StickReaction::kept_of(const data::Case& problem) {
   if (problem.damping.is_none())
     kept.undamped = modal_reaction(problem.beam(), problem.numerics.modes());
   else
-    kept.damped = damped_reaction(problem.beam(), problem.damping, problem.numerics.modes());
+    kept.damped = damped_reaction(held_structure(problem, problem.numerics.modes()));
   return kept;
 }
 
 StickReaction::Kept StickReaction::kept_of(const data::Case& problem, int modes) {
-  const data::Beam& beam = problem.beam();
   Kept kept;
   if (!problem.damping.is_none()) {
-    kept.damped = damped_reaction(beam, problem.damping, modes, SteadyPart::exact);
-    kept.half = damped_reaction(beam, problem.damping, modes / 2, SteadyPart::exact);
+    kept.damped = damped_reaction(held_structure(problem, modes), SteadyPart::exact);
+    kept.half = damped_reaction(held_structure(problem, modes / 2), SteadyPart::exact);
   } else if (problem.has(data::Feature::shear)) {
     const double omega = angular_frequency(problem);
-    kept.undamped = timoshenko_reaction(beam, modes, omega);
-    kept.omitted = timoshenko_omitted_transient(timoshenko_reaction(beam, modes), omega);
+    kept.undamped = timoshenko_reaction(problem.beam(), modes, omega);
+    kept.omitted = timoshenko_omitted_transient(timoshenko_reaction(problem.beam(), modes), omega);
   } else {
     const StickResponse response = exact_response(problem, modes);
     kept.undamped = response.reaction();
@@ -146,12 +145,11 @@ Bounds steady_reaction(const data::Case& problem) {
     if (problem.has(data::Feature::shear)) return exactly(timoshenko_steady_force(problem.beam(), omega));
     return exactly(exact_response(problem, modes_of_all(problem).first).steady_force_amplitude());
   }
-  const data::Damping kelvin_voigt({.kelvin_voigt = problem.damping.kelvin_voigt()});
-  if (problem.damping == kelvin_voigt) {
+  if (problem.damping.is_kelvin_voigt()) {
     const data::HarmonicExcitation unit(
         {.frequency_hz = problem.excitation().frequency_hz(), .amplitude = 1.0});
-    return exactly(
-        std::abs(DampedSteadyState(problem.beam(), unit, kelvin_voigt, TipSupport::held).friction_force()));
+    return exactly(std::abs(
+        DampedSteadyState(problem.beam(), unit, problem.damping, TipSupport::held).friction_force()));
   }
   return StickReaction(problem, modes_of_all(problem).first).damped_steady();
 }

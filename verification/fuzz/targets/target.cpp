@@ -17,8 +17,8 @@
 #include <vector>
 
 #include "range_text.hpp"
-#include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/analytic/event_driven.hpp"
+#include "stickslip/analytic/held_beam.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/data/problem.hpp"
 #include "stickslip/data/user_table.hpp"
@@ -224,10 +224,11 @@ double cost_of(const analytic::ContactModel& model, const data::Case& problem) {
 }
 
 void follow_event_by_event(const data::Case& problem) {
-  const analytic::BeamContactModel beam(problem, problem.numerics.modes());
+  const analytic::HeldBeam beam(problem.beam(), problem.damping, problem.numerics.modes());
   constexpr double most = 300.0;  // runs above this cost would only take time
-  if (cost_of(beam.model(), problem) > most) return;
-  analytic::EventDriven run(beam.model());
+  const analytic::ContactModel model = analytic::contact_model(beam.structure(), problem);
+  if (cost_of(model, problem) > most) return;
+  analytic::EventDriven run(model);
   const std::vector<double> midspan = beam.shapes(problem.beam().length() / 2.0);
   const long steps = solver::step_count(problem.numerics.duration(), problem.numerics.time_step());
   for (long n = 0; n <= steps; ++n) {

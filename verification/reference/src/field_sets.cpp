@@ -14,9 +14,9 @@
 #include <stdexcept>
 
 #include "sets.hpp"
-#include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/analytic/damped_steady_state.hpp"
 #include "stickslip/analytic/event_driven.hpp"
+#include "stickslip/analytic/held_beam.hpp"
 #include "studies/history/method.hpp"
 #include "studies/verification/damped_benchmark.hpp"
 #include "studies/verification/finite_element_contact_model.hpp"
@@ -35,8 +35,9 @@ struct BeamState {
 
 std::vector<BeamState> beam_states(const data::Case& problem, int modes, const std::vector<double>& times,
                                    const std::vector<double>& points, bool has_energy = false) {
-  const analytic::BeamContactModel beam(problem, modes);
-  analytic::EventDriven run(beam.model(), {.keep_energy_balance = has_energy});
+  const analytic::HeldBeam beam(problem.beam(), problem.damping, modes);
+  analytic::EventDriven run(analytic::contact_model(beam.structure(), problem),
+                            {.keep_energy_balance = has_energy});
   const double omega = 2.0 * std::numbers::pi * problem.excitation().frequency_hz();
   std::vector<BeamState> states;
   for (const double time : times) {

@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "stickslip/analytic/beam_contact_model.hpp"
+#include "stickslip/analytic/contact_model.hpp"
 #include "stickslip/data/input_error.hpp"
 
 namespace stickslip::studies {
@@ -228,7 +228,7 @@ ResponseGrid response_grid(const data::Case& problem, double transient) {
 }
 
 analytic::ContactModel response_model(const data::Case& problem) {
-  return analytic::BeamContactModel(problem, problem.numerics.modes()).model();
+  return analytic::contact_model(problem, problem.numerics.modes());
 }
 
 ContactResponse contact_response(const data::Case& problem, double transient,

@@ -85,7 +85,7 @@ struct ResponseGrid {
 [[nodiscard]] ResponseGrid response_grid(const data::Case& problem, double transient);
 
 /// The model of the beam with numerics.modes() modes of the held tip. Throws what
-/// analytic::BeamContactModel throws.
+/// analytic::HeldBeam throws.
 [[nodiscard]] analytic::ContactModel response_model(const data::Case& problem);
 
 /// Runs a case from the quasi-static start by analytic::ModalContactRun, twice. The period is that of the

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/analytic/stick_reaction.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "studies/analyses/criterion_answer.hpp"
@@ -16,7 +15,6 @@
 #include "studies/common/problem_parameter.hpp"
 #include "studies/history/contact_growth.hpp"
 #include "studies/history/history_convergence.hpp"
-#include "studies/history/natural_frequencies.hpp"
 
 namespace stickslip::studies {
 
@@ -281,7 +279,7 @@ std::optional<Warning> growth_warning(const data::Case& problem, const Method& m
       (problem.damping.is_none() ? most_undamped_for_growth : most_damped_for_growth))
     return std::nullopt;
   const auto contact = [&] {
-    if (!stepped) return continuous_contact(analytic::BeamContactModel(problem, numerics.modes()).model());
+    if (!stepped) return continuous_contact(analytic::contact_model(problem, numerics.modes()));
     const auto system =
         solver::beam_contact_system(solver::BeamModel(problem.beam(), numerics.elements()), problem);
     return stepped_contact(solver::ContactMobility(system), numerics.time_step(), numerics.spectral_radius());
@@ -296,7 +294,7 @@ std::optional<Warning> growth_warning(const data::Case& problem, const Method& m
   const auto rate = [](double value) {
     return value < 100.0 ? fmt::format("{:.3g} 1/s", value) : fmt::format("{:.0f} 1/s", value);
   };
-  const bool is_beam_known = !problem.has(data::Feature::damping_ratio);
+  const bool is_beam_known = !problem.has(data::Feature::other_damping);
   std::string sentence = fmt::format(
       "the contact changes, and sigma* is {}: by the bound exp(sigma* t) a rounding error may grow to the "
       "size of the motion within {:.2g} s; for the {} sigma* is {}",

@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "stickslip/analytic/damped_steady_state.hpp"
 #include "stickslip/data/problem.hpp"
 #include "studies/history/method.hpp"
+#include "studies/history/natural_frequencies.hpp"
 
 namespace stickslip::studies {
 
@@ -118,10 +118,10 @@ constexpr double share_that_matters = 0.01;
 /// or modes, 50 with damping, where σ* would take seconds.
 ///
 /// The sentence also gives
-/// - σ* of the beam, with Kelvin-Voigt damping but without damping.ratio and without shear;
+/// - σ* of the beam, with Kelvin-Voigt damping but without other damping and without shear;
 /// - if σ* of the run is above 1.1 times that of the beam: settings with about the σ* of the beam,
 ///   which are the spectral radius 0 and ω_max h = filtering_angle (history_convergence.hpp);
-/// - if σ* T of the beam is also above 36 and damping.ratio is 0: the time up to which the bound is useful
+/// - if σ* T of the beam is also above 36 and there is no other damping: the time up to which the bound is useful
 ///   for any discretisation.
 ///
 /// Throws what the run itself throws.

@@ -10,7 +10,6 @@
 
 #include "stickslip/analytic/slip_modes.hpp"
 #include "stickslip/analytic/steady_sliding.hpp"
-#include "stickslip/analytic/tip_mobility.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "stickslip/solver/sliding_stability.hpp"
 #include "studies/analyses/contact_response.hpp"
@@ -127,7 +126,7 @@ Squeal squeal_of(const data::Case& problem, int modes) {
                 .friction_force = steady.friction_force,
                 .tip_displacement = steady.tip_displacement,
                 .finite_element_displacement = {},
-                .all_modes = !problem.has(data::Feature::damping_ratio),
+                .all_modes = problem.damping.is_kelvin_voigt(),
                 .modes = {},
                 .resolved_modes = 0,
                 .resolved_hz = resolved_frequency(problem),
@@ -137,9 +136,7 @@ Squeal squeal_of(const data::Case& problem, int modes) {
   squeal.finite_element_displacement = solver::steady_contact_displacement(mesh, steady.friction_force);
   const auto eigenvalues = solver::sliding_eigenvalues(mesh, solver::falling_slope(mesh));
   const auto real_root = judge(eigenvalues, squeal);
-  const analytic::Mobility mobility =
-      squeal.all_modes ? analytic::Mobility(analytic::TipMobility(problem.beam(), problem.damping))
-                       : analytic::contact_mobility(model);
+  const analytic::Mobility mobility = analytic::contact_mobility(problem, model);
   for (const auto& mode : analytic::sliding_modes(mobility, frequencies, squeal.slope))
     squeal.modes.push_back(mode_of(problem, mode, eigenvalues));
   if (!squeal.modes.empty() && !squeal.modes.front().root)

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "stickslip/analytic/beam_contact_model.hpp"
+#include "stickslip/analytic/held_beam.hpp"
 #include "studies/common/problem_parameter.hpp"
 #include "studies/history/method.hpp"
 
@@ -42,12 +42,13 @@ std::vector<double> rates_of(const analytic::ContactModel& model, bool starts_wi
 
 History event_driven_history(const data::Case& problem, const Sampling& sampling,
                              const solver::RunOptions& options, const RowSink& sink) {
-  const analytic::BeamContactModel beam(problem, problem.numerics.modes());
+  const analytic::HeldBeam beam(problem.beam(), problem.damping, problem.numerics.modes());
   const std::vector<double> midspan = beam.shapes(0.5 * problem.beam().length());
   std::vector<std::vector<double>> shapes;
   for (const double x : sampling.positions) shapes.push_back(beam.shapes(x));
-  analytic::EventDriven run(beam.model());
-  run.start_stuck({}, rates_of(beam.model(), options.starts_with_the_base));
+  const analytic::ContactModel model = analytic::contact_model(beam.structure(), problem);
+  analytic::EventDriven run(model);
+  run.start_stuck({}, rates_of(model, options.starts_with_the_base));
   History history;
   for_each_row(problem, sampling, [&](long, double time) {
     run.advance_to(time);
@@ -57,7 +58,7 @@ History event_driven_history(const data::Case& problem, const Sampling& sampling
     hold_to_law(problem, history, row);
     add_row(problem, history, sink, std::move(row));
   });
-  set_events(history, events_of(run, beam.model().wall_speed));
+  set_events(history, events_of(run, model.wall_speed));
   return history;
 }
 

@@ -7,6 +7,7 @@
 #include "stickslip/analytic/damped_reaction.hpp"
 #include "stickslip/analytic/damped_steady_state.hpp"
 #include "stickslip/analytic/force_maximum.hpp"
+#include "stickslip/analytic/held_beam.hpp"
 #include "stickslip/analytic/stick_response.hpp"
 #include "studies/analyses/slip_probability.hpp"
 #include "studies/common/parallel.hpp"
@@ -61,9 +62,10 @@ AmplitudeLimits amplitude_limits(const data::Case& paper, const data::Case& damp
   const auto reaction = analytic::modal_reaction(beam, modes);
   const auto sheared = analytic::modal_reaction(with_shear(beam), modes);
   const auto fixed = analytic::modal_reaction(with_value(paper, "beam.axial_direction", 1.0).beam(), modes);
-  const auto decaying = analytic::damped_reaction(beam, damped.damping, modes);
-  const auto compliant =
-      analytic::compliant_reaction(beam, {}, study.contact_stiffness * tip_stiffness, modes);
+  const auto decaying =
+      analytic::damped_reaction(analytic::HeldBeam(beam, damped.damping, modes).structure());
+  const auto compliant = analytic::compliant_reaction(analytic::HeldBeam(beam, {}, modes).structure(),
+                                                      study.contact_stiffness * tip_stiffness);
   study.limits.resize(frequencies_hz.size());
   in_parallel(frequencies_hz.size(), [&](std::size_t i) {
     const data::HarmonicExcitation unit({.frequency_hz = frequencies_hz[i], .amplitude = 1.0});

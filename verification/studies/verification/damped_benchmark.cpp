@@ -7,7 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "stickslip/analytic/beam_contact_model.hpp"
+#include "stickslip/analytic/contact_model.hpp"
 #include "studies/common/problem_parameter.hpp"
 #include "studies/history/method.hpp"
 #include "studies/verification/finite_element_contact_model.hpp"
@@ -54,7 +54,7 @@ class Benchmark {
 
  private:
   [[nodiscard]] History held(int modes, double tolerance = reference_tolerance) const {
-    return event_driven_history(analytic::BeamContactModel(problem_, modes).model(), times_, tolerance);
+    return event_driven_history(analytic::contact_model(problem_, modes), times_, tolerance);
   }
 
   void set_reference() {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "stickslip/analytic/beam_contact_model.hpp"
+#include "stickslip/analytic/held_beam.hpp"
 #include "studies/history/history.hpp"
 
 namespace stickslip::studies {
@@ -63,8 +63,9 @@ double EnergyAudit::Mesh::largest_unexplained() const {
 
 EnergyAudit energy_audit(const data::Case& problem, double duration, const std::vector<int>& elements,
                          int modes, const std::vector<double>& time_steps) {
-  const analytic::BeamContactModel beam(problem, modes);
-  analytic::EventDriven run(beam.model(), {.keep_energy_balance = true});
+  const analytic::HeldBeam beam(problem.beam(), problem.damping, modes);
+  analytic::EventDriven run(analytic::contact_model(beam.structure(), problem),
+                            {.keep_energy_balance = true});
   const double initial = run.energy_balance().kinetic + run.energy_balance().potential;
   run.advance_to(duration);
   EnergyAudit audit{.kelvin_voigt = problem.damping.kelvin_voigt(),

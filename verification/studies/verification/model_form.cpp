@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "stickslip/analytic/damped_reaction.hpp"
+#include "stickslip/analytic/held_beam.hpp"
 #include "stickslip/analytic/slip_modes.hpp"
 #include "studies/analyses/criterion_map.hpp"
 #include "studies/analyses/length_force_map.hpp"
@@ -97,8 +98,9 @@ std::optional<double> unit_force(const data::Case& problem, const ModelVariant& 
   try {
     const analytic::DampedReaction reaction =
         std::isfinite(stiffness)
-            ? analytic::compliant_reaction(beam, damping, stiffness, modes)
-            : analytic::damped_reaction(beam, damping, modes, analytic::SteadyPart::exact);
+            ? analytic::compliant_reaction(analytic::HeldBeam(beam, damping, modes).structure(), stiffness)
+            : analytic::damped_reaction(analytic::HeldBeam(beam, damping, modes).structure(),
+                                        analytic::SteadyPart::exact);
     return analytic::DampedForce(reaction, omega, duration).refined_to(bound_width).midpoint();
   } catch (const data::FieldError& error) {
     if (error.field() == "contact.tangential_stiffness") return std::nullopt;

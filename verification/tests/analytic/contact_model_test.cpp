@@ -3,7 +3,7 @@
 
 #include <Eigen/Dense>
 
-#include "stickslip/analytic/beam_contact_model.hpp"
+#include "stickslip/analytic/held_beam.hpp"
 #include "studies/verification/finite_element_contact_model.hpp"
 #include "support/random_beams.hpp"
 #include "support/testing.hpp"
@@ -11,17 +11,15 @@
 namespace stickslip::testing {
 namespace {
 
-using analytic::BeamContactModel;
-using analytic::ContactModel;
+using analytic::HeldStructure;
 
 constexpr double mass_per_length = 10.0;         // rho A, kg/m
 constexpr double bending_stiffness = 5e4 / 3.0;  // EI, N m^2
 constexpr double length = 2.0;
 
-BeamContactModel beam_model(int modes, const data::DampingProperties& damping = {},
-                            double axial_force = 500.0) {
-  return {with(paper_problem(25.0, 1e-3), paper_beam_with_axial_force(axial_force), data::Damping(damping)),
-          modes};
+HeldStructure held_beam(int modes, const data::DampingProperties& damping = {}, double axial_force = 500.0) {
+  return analytic::HeldBeam(paper_beam_with_axial_force(axial_force), data::Damping(damping), modes)
+      .structure();
 }
 
 Eigen::MatrixXd dense(const analytic::Matrix& matrix) {
@@ -39,7 +37,7 @@ double cantilever_frequency(std::size_t mode) {
 }
 
 /// Kinetic energy is x_t . M x_t/2, x = (T, u_L).
-Eigen::MatrixXd mass_matrix(const ContactModel& model) {
+Eigen::MatrixXd mass_matrix(const HeldStructure& model) {
   const auto m = static_cast<Eigen::Index>(model.modes());
   Eigen::MatrixXd mass = Eigen::MatrixXd::Identity(m + 1, m + 1);
   for (Eigen::Index n = 0; n < m; ++n)
@@ -48,10 +46,10 @@ Eigen::MatrixXd mass_matrix(const ContactModel& model) {
   return mass;
 }
 
-STICKSLIP_VERIFIES(BeamContactModel, "D2");
+STICKSLIP_VERIFIES(HeldBeam, "D2");
 // Its first modes against the reduction of matrices of finite elements, which shares nothing with them: (beta l)^4/720 of mode 4 on 40
 // elements in the energies, with a margin for the couplings, and the more the nearer P is to buckling.
-TEST(BeamContactModel, IsTheLimitOfMeshes) {
+TEST(HeldBeam, IsTheLimitOfMeshes) {
   on_random_beams(6, compression, [](const data::Beam& drawn, RandomNumbers& numbers) {
     data::BeamProperties properties = drawn.properties();
     properties.axial_direction = numbers.uniform(0.0, 1.0);
@@ -60,8 +58,8 @@ TEST(BeamContactModel, IsTheLimitOfMeshes) {
         random_problem(numbers, data::Beam(properties), 0.5,
                        {.frequency_hz = unit * numbers.uniform(0.1, 10.0), .amplitude = 1e-3},
                        numbers.log_uniform(1e-4, 1e-2) / unit);
-    const ContactModel closed = BeamContactModel(problem, 4).model(),
-                       mesh = studies::finite_element_contact_model(problem, 40);
+    const analytic::ContactModel closed = analytic::contact_model(problem, 4),
+                                 mesh = studies::finite_element_contact_model(problem, 40);
     const double error = std::pow(13.4 / 40.0, 4) / 720.0 * nearness_of_buckling(problem.beam());
     const auto expect = [error](double value, double expected, double scale) {
       EXPECT_TRUE(within(value, expected, discretisation(error * scale, 10.0, "(beta l)^4/720")));
@@ -91,14 +89,14 @@ TEST(BeamContactModel, IsTheLimitOfMeshes) {
   });
 }
 
-TEST(BeamContactModel, DampsEveryFreeMode) {
+TEST(HeldBeam, DampsEveryFreeMode) {
   // C = sum 2 zeta omega (M x)(M x)^T over x . M x = 1, K x = omega^2 M x is the one symmetric positive
   // matrix with C M^-1 C = 4 zeta^2 K, K the bending stiffness alone.
   const double ratio = 0.02;
   const int modes = 8;
-  const ContactModel model = beam_model(modes, {.ratio = ratio}).model();
+  const HeldStructure model = held_beam(modes, {.ratio = ratio});
   const Eigen::MatrixXd damping = dense(model.damping), mass = mass_matrix(model);
-  const Eigen::MatrixXd bending = dense(beam_model(modes, {.kelvin_voigt = 1.0}).model().damping);
+  const Eigen::MatrixXd bending = dense(held_beam(modes, {.kelvin_voigt = 1.0}).damping);
   const Eigen::MatrixXd error = damping * mass.llt().solve(damping) - 4.0 * ratio * ratio * bending;
   // M has the condition number 1/(m_c - a . a) ~ 1e2.
   for (Eigen::Index i = 0; i <= modes; ++i)
@@ -118,23 +116,24 @@ TEST(BeamContactModel, DampsEveryFreeMode) {
   }
 }
 
-TEST(BeamContactModel, BothKindsOfDampingAdd) {
+TEST(HeldBeam, KindsOfDampingAdd) {
   const auto damping = [](const data::DampingProperties& properties) {
-    return dense(beam_model(5, properties).model().damping);
+    return dense(held_beam(5, properties).damping);
   };
-  const Eigen::MatrixXd both = damping({.kelvin_voigt = 1e-4, .ratio = 0.01});
-  const Eigen::MatrixXd sum = damping({.kelvin_voigt = 1e-4}) + damping({.ratio = 0.01});
-  EXPECT_LT((both - sum).cwiseAbs().maxCoeff(), round_off(4, 1, sum.cwiseAbs().maxCoeff()).value);
-  EXPECT_TRUE(beam_model(5).model().damping.empty());
+  const Eigen::MatrixXd all = damping({.kelvin_voigt = 1e-4, .ratio = 0.01, .mass_proportional = 3.0});
+  const Eigen::MatrixXd sum =
+      damping({.kelvin_voigt = 1e-4}) + damping({.ratio = 0.01}) + 3.0 * mass_matrix(held_beam(5));
+  EXPECT_LT((all - sum).cwiseAbs().maxCoeff(), round_off(4, 1, sum.cwiseAbs().maxCoeff()).value);
+  EXPECT_TRUE(held_beam(5).damping.empty());
 }
 
-TEST(BeamContactModel, RefusesABuckledBeam) {
+TEST(HeldBeam, RefusesABuckledBeam) {
   for (const double axial_force : {-100.0, 0.0, 85e3}) {
     SCOPED_TRACE(axial_force);
-    expect_error_message<data::InputError>([&] { (void)beam_model(5, {}, axial_force); },
+    expect_error_message<data::InputError>([&] { (void)held_beam(5, {}, axial_force); },
                                            {"beam.axial_force"});
   }
-  EXPECT_THROW(beam_model(0), std::invalid_argument);
+  EXPECT_THROW(held_beam(0), std::invalid_argument);
 }
 
 }  // namespace

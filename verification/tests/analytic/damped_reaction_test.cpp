@@ -4,6 +4,7 @@
 
 #include "stickslip/analytic/damped_reaction.hpp"
 #include "stickslip/analytic/damped_steady_state.hpp"
+#include "stickslip/analytic/held_beam.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "support/testing.hpp"
 
@@ -19,7 +20,8 @@ data::HarmonicExcitation at(double hz) { return shaking(hz, 1.0); }
 
 DampedForce force(const data::Damping& damping, double hz, double duration, int modes = 10,
                   SteadyPart part = SteadyPart::modal_sum) {
-  return {analytic::damped_reaction(paper_beam(), damping, modes, part), 2.0 * pi * hz, duration};
+  return {analytic::damped_reaction(analytic::HeldBeam(paper_beam(), damping, modes).structure(), part),
+          2.0 * pi * hz, duration};
 }
 
 // The natural frequency, where the closed form is 0/0, among them.
@@ -30,7 +32,8 @@ std::vector<double> frequencies() {
 // The eigenvalues are known to eps times the largest. That counts over the distance of i Omega from the nearest.
 double rounding_of_eigenvalues(const data::Damping& damping, double hz, int modes) {
   double largest = 0.0, nearest = std::numeric_limits<double>::infinity();
-  for (const auto& share : analytic::damped_reaction(paper_beam(), damping, modes).shares) {
+  for (const auto& share :
+       analytic::damped_reaction(analytic::HeldBeam(paper_beam(), damping, modes).structure()).shares) {
     largest = std::max(largest, std::abs(share.eigenvalue));
     nearest = std::min(nearest, std::abs(share.eigenvalue - std::complex<double>(0.0, 2.0 * pi * hz)));
   }
@@ -71,7 +74,8 @@ TEST(DampedReaction, IsContinuousAtCriticalDamping) {
   const data::Beam beam = paper_beam_with_axial_force(1e-6);
   const double critical = 2.0 / analytic::stick_modes(beam, 1).front().angular_frequency();
   const auto largest = [&](double eta) {
-    return DampedForce(analytic::damped_reaction(beam, kelvin_voigt(eta), 10), 2.0 * pi * 30.0, 10.0)
+    return DampedForce(analytic::damped_reaction(analytic::HeldBeam(beam, kelvin_voigt(eta), 10).structure()),
+                       2.0 * pi * 30.0, 10.0)
         .refined_to();
   };
   const Bounds at = largest(critical), beside = largest(1.000001 * critical);

@@ -2,8 +2,8 @@
 /// The event-driven engine against exact solutions of one mass and of held oscillators, beyond those of contact_battery_test.cpp.
 
 #include "stickslip/analytic/event_driven.hpp"
-#include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/analytic/contact_dynamics.hpp"
+#include "stickslip/analytic/contact_model.hpp"
 #include "stickslip/analytic/stick_propagator.hpp"
 #include "support/contact_models.hpp"
 #include "support/testing.hpp"
@@ -258,8 +258,7 @@ TEST(EventDriven, SeesAPeakOfTheForceHoweverShallow) {
 
 STICKSLIP_VERIFIES(EventDrivenBeam, "D3");
 TEST(EventDrivenBeam, IgnoresTheTimesAskedFor) {
-  const ContactModel model =
-      analytic::BeamContactModel(with(paper_problem(25.0, 1e-3), light_damping()), 10).model();
+  const ContactModel model = analytic::contact_model(with(paper_problem(25.0, 1e-3), light_damping()), 10);
   EventDriven once(model, {.keep_energy_balance = true}), often(model, {.keep_energy_balance = true});
   once.advance_to(0.2);
   for (int k = 1; k <= 1000; ++k) often.advance_to(0.2e-3 * k);
@@ -342,18 +341,18 @@ using analytic::StickPropagator;
 
 // Three modes under a load in the middle of them, with every coupling that a model can have.
 ContactModel three_modes(bool damped) {
-  ContactModel model{.angular_frequency = {2.0, 5.0, 11.0},
-                     .mass_coupling = {0.4, -0.3, 0.2},
-                     .contact_mass = 1.5,
-                     .contact_stiffness = 20.0,
-                     .follower = {0.9, -0.7, 0.5},
-                     .contact_follower = -0.6,
-                     .damping = {},
-                     .load = {0.7, 0.4, -0.3, -0.2},
-                     .load_angular_frequency = 3.0,
-                     .wall_amplitude = 0.3,
-                     .normal_force = 1e6,
-                     .friction = data::FrictionLaw({})};
+  ContactModel model{{.angular_frequency = {2.0, 5.0, 11.0},
+                      .mass_coupling = {0.4, -0.3, 0.2},
+                      .contact_mass = 1.5,
+                      .contact_stiffness = 20.0,
+                      .follower = {0.9, -0.7, 0.5},
+                      .contact_follower = -0.6,
+                      .damping = {},
+                      .participation = {}},
+                     {0.7, 0.4, -0.3, -0.2}};
+  model.load_angular_frequency = 3.0;
+  model.wall_amplitude = 0.3;
+  model.normal_force = 1e6;
   if (!damped) return model;
   model.damping = analytic::Matrix(4, 4);
   for (std::size_t i = 0; i < 4; ++i)

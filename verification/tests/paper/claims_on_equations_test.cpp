@@ -4,7 +4,7 @@
 #include <Eigen/Dense>
 
 #include "paper/measure.hpp"
-#include "stickslip/analytic/beam_contact_model.hpp"
+#include "stickslip/analytic/contact_model.hpp"
 #include "stickslip/analytic/damped_steady_state.hpp"
 #include "stickslip/analytic/event_driven.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
@@ -160,8 +160,7 @@ TEST(Equation4, FrictionIsTheShearForce) {
 }
 
 TEST(Equation4, StickContinuesOnlyWithinTheLimit) {
-  const analytic::BeamContactModel model(with(paper(), excitation(25.0, 1e-3)), 10);
-  analytic::EventDriven run(model.model());
+  analytic::EventDriven run(analytic::contact_model(with(paper(), excitation(25.0, 1e-3)), 10));
   const double found = largest(evenly_spaced(5e-5, 0.3, 5e-5), [&](double t) {
     run.advance_to(t);
     return run.state() == data::ContactState::stick ? run.friction_force() : 0.0;

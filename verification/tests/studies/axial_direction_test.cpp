@@ -3,9 +3,9 @@
 
 #include <Eigen/Dense>
 
-#include "stickslip/analytic/beam_contact_model.hpp"
 #include "stickslip/analytic/damped_reaction.hpp"
 #include "stickslip/analytic/damped_steady_state.hpp"
+#include "stickslip/analytic/held_beam.hpp"
 #include "stickslip/analytic/modal_reaction.hpp"
 #include "stickslip/analytic/slip_modes.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
@@ -175,9 +175,9 @@ TEST(ShearScope, IsRefusedByNameWhereThereIsNoShear) {
       [&] { (void)analytic::slip_modes(beam, 1); },
       [&] { (void)analytic::StickResponse(beam, excitation); },
       [&] { (void)analytic::TipMobility(beam, damping); },
-      [&] { (void)analytic::damped_reaction(beam, damping, 5); },
+      [&] { (void)analytic::damped_reaction(analytic::HeldBeam(beam, damping, 5).structure()); },
       [&] { (void)analytic::DampedSteadyState(beam, excitation, damping, analytic::TipSupport::free); },
-      [&] { (void)analytic::BeamContactModel(with(problem, damping), 5); },
+      [&] { (void)analytic::contact_model(with(problem, damping), 5); },
       [&] {
         (void)studies::band_margin(problem, {10.0, 20.0});
       }};

@@ -6,6 +6,7 @@
 #include "stickslip/analytic/boundary_integral.hpp"
 #include "stickslip/analytic/damped_reaction.hpp"
 #include "stickslip/analytic/event_driven.hpp"
+#include "stickslip/analytic/held_beam.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "stickslip/solver/energy_balance.hpp"
@@ -266,7 +267,7 @@ TEST(CompliantReaction, IsThatOfFiniteElements) {
   const data::Case paper = data::load_case("damped");
   const data::FrictionLaw strong({.static_coefficient = 1e6, .kinetic_coefficient = 1e6});
   for (const double k : {6e4, 1e6}) {
-    const analytic::DampedForce closed(analytic::compliant_reaction(paper.beam(), paper.damping, k, 20),
+    const analytic::DampedForce closed(analytic::compliant_reaction(analytic::held_structure(paper, 20), k),
                                        2.0 * pi * paper.excitation().frequency_hz(), 1.0);
     const auto largest_error = [&](double h) {
       solver::BeamSimulation simulation(with_value(with(paper, strong, spring(k)), "numerics.time_step", h));
@@ -291,12 +292,14 @@ TEST(CompliantReaction, TendsToTheHeldTip) {
   const data::Case paper = data::load_case("paper");
   const double omega = 2.0 * pi * 35.0;
   const double held =
-      analytic::DampedForce(analytic::damped_reaction(paper.beam(), {}, 10, analytic::SteadyPart::exact),
+      analytic::DampedForce(analytic::damped_reaction(analytic::HeldBeam(paper.beam(), {}, 10).structure(),
+                                                      analytic::SteadyPart::exact),
                             omega, 1.0)
           .steady_amplitude();
   std::vector<OrderLevel> steady, start;
   for (const double k : {1e9, 4e9, 1.6e10, 6.4e10}) {
-    const analytic::DampedReaction reaction = analytic::compliant_reaction(paper.beam(), {}, k, 10);
+    const analytic::DampedReaction reaction =
+        analytic::compliant_reaction(analytic::HeldBeam(paper.beam(), {}, 10).structure(), k);
     double strike = 0.0;
     for (const auto& share : reaction.shares) strike = std::max(strike, std::abs(share.start));
     start.push_back({.step = 1.0 / k, .error = strike, .next_term = 0.05});
@@ -315,8 +318,9 @@ TEST(CompliantReaction, RefusesASpringOfFlutter) {
   data::BeamProperties properties = data::load_case("paper").beam().properties();
   properties.axial_force = 83.9e3;
   const data::Beam beam(properties);
-  EXPECT_NO_THROW((void)analytic::compliant_reaction(beam, {}, 1e7, 10));
-  EXPECT_THROW((void)analytic::compliant_reaction(beam, {}, 1.0, 10), data::FieldError);
+  EXPECT_NO_THROW((void)analytic::compliant_reaction(analytic::HeldBeam(beam, {}, 10).structure(), 1e7));
+  EXPECT_THROW((void)analytic::compliant_reaction(analytic::HeldBeam(beam, {}, 10).structure(), 1.0),
+               data::FieldError);
 }
 
 using Planes = std::vector<studies::ModelPlane>;

@@ -3,6 +3,7 @@
 
 #include "studies/analyses/contact_response.hpp"
 
+#include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/damped_reaction.hpp"
 #include "stickslip/analytic/event_driven.hpp"
 #include "stickslip/data/case_file.hpp"
@@ -112,7 +113,7 @@ TEST(MotionQuantities, CountTheForceOfEitherSign) {
     const double step = 1e-3 / hz;
     const data::Case problem = case_with_step("damped", hz, amplitude, step, 2.0 / hz, 10);
     const analytic::DampedForce force(
-        analytic::damped_reaction(problem.beam(), problem.damping, 10, analytic::SteadyPart::exact),
+        analytic::damped_reaction(analytic::held_structure(problem, 10), analytic::SteadyPart::exact),
         studies::angular_frequency(problem.excitation()), 1.0);
     double least = 0.0, greatest = 0.0;
     for (int i = 1; i <= 2000; ++i) {
@@ -220,6 +221,13 @@ TEST(MotionQuantities, HaveAPeriodOnceSettled) {
   }
 }
 
+TEST(MotionQuantities, SeeASlipOfTheStartAlone) {
+  const auto at = [](double amplitude) { return case_with_step("damped", 60.0, amplitude, 1e-4, 4.0, 10); };
+  const double amplitude = 1.1 * analytic::evaluate_criterion(at(1e-4)).critical_amplitude.upper;
+  EXPECT_TRUE(studies::contact_response(at(amplitude), 0.0).slips);
+  EXPECT_FALSE(studies::contact_response(at(amplitude), 2.0).slips);
+}
+
 // Without damping stick and slip alternate ever faster the shorter the step is: the number of sticks has no limit, and
 // the map says so.
 TEST(MotionQuantities, SayThatTheyHaveNotConverged) {
@@ -325,7 +333,7 @@ TEST(ParameterSweep, ShowsHysteresis) {
   const double largest_stuck =
       studies::friction_limit(problem) /
       analytic::DampedForce(
-          analytic::damped_reaction(problem.beam(), problem.damping, 10, analytic::SteadyPart::exact),
+          analytic::damped_reaction(analytic::held_structure(problem, 10), analytic::SteadyPart::exact),
           2.0 * std::numbers::pi * 35.0, 10.0)
           .steady_amplitude();
   task.values.insert(task.values.end(), {0.97 * largest_stuck, 1.1 * largest_stuck});

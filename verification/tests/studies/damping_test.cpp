@@ -2,6 +2,7 @@
 /// The damped vibration from rest by time stepping against the closed form.
 
 #include "stickslip/analytic/damped_reaction.hpp"
+#include "stickslip/analytic/held_beam.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "support/testing.hpp"
 #include "support/vibration.hpp"
@@ -31,7 +32,9 @@ TEST(DampedSteppedResponse, StartsAsTheClosedForm) {
   };
   const auto closed_form = [](const Vibration& v, int modes) {
     const analytic::DampedForce force(
-        analytic::damped_reaction(v.beam(), v.damping, modes, analytic::SteadyPart::exact), v.omega(), 0.2);
+        analytic::damped_reaction(analytic::HeldBeam(v.beam(), v.damping, modes).structure(),
+                                  analytic::SteadyPart::exact),
+        v.omega(), 0.2);
     std::vector<double> forces;
     for (int n = 1; n <= 2000; ++n) forces.push_back(Vibration::amplitude * force.value(1e-4 * n));
     return forces;

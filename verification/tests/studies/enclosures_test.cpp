@@ -4,6 +4,7 @@
 
 #include "stickslip/analytic/damped_reaction.hpp"
 #include "stickslip/analytic/damped_steady_state.hpp"
+#include "stickslip/analytic/held_beam.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/analytic/stick_reaction.hpp"
 #include "stickslip/certified/force_maximum.hpp"
@@ -210,7 +211,8 @@ std::vector<Search> searches_of_modes() {
        by_width(2e-10)},
       {"damped without damping",
        [](const data::Case& problem) {
-         const auto reaction = analytic::damped_reaction(problem.beam(), {}, problem.numerics.modes());
+         const auto reaction = analytic::damped_reaction(
+             analytic::HeldBeam(problem.beam(), {}, problem.numerics.modes()).structure());
          return problem.excitation().amplitude() *
                 DampedForce(reaction, omega_of(problem), problem.numerics.duration()).refined_to(1e-8);
        },
@@ -299,9 +301,9 @@ TEST(Enclosures, OfDampedBeamsHoldEachInstant) {
     const double omega = omega_of(problem), duration = problem.numerics.duration();
     const int modes = numbers.whole(1, 10);
     for (const auto& reaction :
-         {analytic::damped_reaction(problem.beam(), problem.damping, modes),
-          analytic::compliant_reaction(problem.beam(), problem.damping,
-                                       spring_of(problem, numbers.log_uniform(3.0, 1e3)), modes)}) {
+         {analytic::damped_reaction(analytic::held_structure(problem, modes)),
+          analytic::compliant_reaction(analytic::held_structure(problem, modes),
+                                       spring_of(problem, numbers.log_uniform(3.0, 1e3)))}) {
       double fastest = omega, slowest = 1e300;
       for (const auto& share : reaction.shares) {
         fastest = std::max(fastest, std::abs(share.eigenvalue));
@@ -332,7 +334,7 @@ TEST(Enclosures, HoldTheModesThatAreLeftOut) {
     if (problem.damping.is_none()) return;
     const double omega = omega_of(problem), duration = problem.numerics.duration();
     const auto reaction = [&](int modes) {
-      return analytic::damped_reaction(problem.beam(), problem.damping, modes, analytic::SteadyPart::exact);
+      return analytic::damped_reaction(analytic::held_structure(problem, modes), analytic::SteadyPart::exact);
     };
     const DampedForce force(reaction(40), omega, duration, reaction(20)), all(reaction(160), omega, duration);
     for (int i = 0; i < 400; ++i) {
@@ -356,7 +358,7 @@ data::Case at_hz(const data::Case& problem, double hz) {
 
 double steady_force(const data::Case& problem) {
   return problem.excitation().amplitude() *
-         DampedForce(analytic::damped_reaction(problem.beam(), problem.damping, problem.numerics.modes()),
+         DampedForce(analytic::damped_reaction(analytic::held_structure(problem, problem.numerics.modes())),
                      omega_of(problem), problem.numerics.duration())
              .steady_amplitude();
 }

@@ -2,7 +2,7 @@
 /// Histories: the battery of beams, in which every method runs random cases; their rows and spectra, and what a method refuses.
 
 #include "studies/history/history.hpp"
-#include "stickslip/analytic/beam_contact_model.hpp"
+#include "stickslip/analytic/contact_model.hpp"
 #include "stickslip/analytic/event_driven.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/solver/energy_balance.hpp"
@@ -99,8 +99,7 @@ Found found_by_modes(const data::Case& problem, int modes, const Times& times) {
   if (!times.empty()) found.rows = studies::event_driven_history(with_modes, {.times = times}).rows;
   found.events = without_reversals(history.events);
   found.rows_off_law = history.rows_off_law;
-  analytic::EventDriven run(analytic::BeamContactModel(with_modes, modes).model(),
-                            {.keep_energy_balance = true});
+  analytic::EventDriven run(analytic::contact_model(with_modes, modes), {.keep_energy_balance = true});
   const auto start = run.energy_balance();
   auto now = start;
   for (int k = 1; k <= 20; ++k) {
@@ -396,7 +395,8 @@ std::map<std::string, Feature> features_of(const data::Case& problem) {
     if (has) features.emplace(key, feature);
   };
   add(problem.damping.kelvin_voigt() > 0.0, "damping.kelvin_voigt", Feature::kelvin_voigt);
-  add(problem.damping.ratio() > 0.0, "damping.ratio", Feature::damping_ratio);
+  add(problem.damping.ratio() > 0.0, "damping.ratio", Feature::other_damping);
+  add(problem.damping.mass_proportional() > 0.0, "damping.mass_proportional", Feature::other_damping);
   add(problem.contact.compliance.is_smooth(), "contact.regularisation_velocity", Feature::yielding_contact);
   add(!problem.contact.compliance.is_smooth() && !problem.contact.compliance.is_rigid(),
       "contact.tangential_stiffness", Feature::yielding_contact);

@@ -2,7 +2,7 @@
 /// Steady sliding on a wall that moves, and what follows from rest, by both implementations.
 
 #include "studies/analyses/squeal.hpp"
-#include "stickslip/analytic/beam_contact_model.hpp"
+#include "stickslip/analytic/contact_model.hpp"
 #include "stickslip/analytic/free_mode_run.hpp"
 #include "stickslip/analytic/slip_modes.hpp"
 #include "stickslip/analytic/steady_sliding.hpp"
@@ -272,8 +272,7 @@ TEST(MovingWallOfTheMesh, HasTheChangesOfEvents) {
   const data::FrictionLaw friction(
       {.static_coefficient = 0.5, .kinetic_coefficient = 0.3, .decay = 5.0, .viscous = 0.1});
   const data::Case problem = with(viscous_reed(), shaking(250.0, 5e-5), friction);
-  const analytic::BeamContactModel model(problem, 24);
-  const auto exact = studies::event_driven_history(model.model(), {0.01}).events;
+  const auto exact = studies::event_driven_history(analytic::contact_model(problem, 24), {0.01}).events;
   std::vector<double> errors;
   for (const double step : {1e-6, 5e-7}) {
     const auto events =
@@ -346,7 +345,7 @@ TEST(Cycles, OfTheShakenBeamReturnButAreUnstable) {
   EXPECT_GT(modulus, 1.0);
   EXPECT_LT(std::abs(motion.multipliers.back()), 1e-12);
   // Of two periods they are the squares.
-  const auto model = analytic::BeamContactModel(problem, 3).model();
+  const auto model = analytic::contact_model(problem, 3);
   const auto twice =
       analytic::eigenvalues(analytic::poincare_map(model, motion.start, 2.0 * motion.period).derivative);
   EXPECT_TRUE(

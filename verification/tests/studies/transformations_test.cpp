@@ -4,7 +4,7 @@
 #include <Eigen/Dense>
 
 #include "stickslip/analytic/band_maximum.hpp"
-#include "stickslip/analytic/beam_contact_model.hpp"
+#include "stickslip/analytic/contact_model.hpp"
 #include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/event_driven.hpp"
 #include "stickslip/analytic/slip_modes.hpp"
@@ -163,7 +163,7 @@ solver::PrescribedMotion multiplied(const solver::PrescribedMotion& motion, doub
 
 /// The model of the event-driven histories, of four modes.
 analytic::ContactModel modal_model(const data::Case& problem) {
-  return analytic::BeamContactModel(problem, kModes).model();
+  return analytic::contact_model(problem, kModes);
 }
 
 std::vector<EventTolerances> tolerances(const std::vector<ContactEvent>& events,

@@ -56,18 +56,15 @@ std::unique_ptr<solver::StickSlipIntegrator> run_from_slip(const SingleMass& mas
 }
 
 analytic::ContactModel contact_model(const SingleMass& mass) {
-  return {.angular_frequency = {},
-          .mass_coupling = {},
-          .contact_mass = mass.mass,
-          .contact_stiffness = mass.stiffness,
-          .follower = {},
-          .contact_follower = 0.0,
-          .damping = {},
-          .load = {0.0},
-          .load_angular_frequency = mass.omega,
-          .wall_amplitude = -mass.wall_acceleration / (mass.omega * mass.omega),
-          .normal_force = mass.normal_force,
-          .friction = data::FrictionLaw(mass.friction)};
+  analytic::ContactModel model;
+  model.contact_mass = mass.mass;
+  model.contact_stiffness = mass.stiffness;
+  model.load = {0.0};
+  model.load_angular_frequency = mass.omega;
+  model.wall_amplitude = -mass.wall_acceleration / (mass.omega * mass.omega);
+  model.normal_force = mass.normal_force;
+  model.friction = data::FrictionLaw(mass.friction);
+  return model;
 }
 
 SingleMass shaken_plane(double amplitude) {
@@ -93,20 +90,22 @@ analytic::ContactModel contact_model(const ForcedPair& pair) {
   damping(0, 1) = mode * (c(0, 0) * sigma + c(0, 1));
   damping(1, 0) = (sigma * c(0, 0) + c(1, 0)) * mode;
   damping(1, 1) = sigma * (c(0, 0) * sigma + c(0, 1)) + c(1, 0) * sigma + c(1, 1);
-  return {.angular_frequency = {std::sqrt(k(0, 0) / m(0, 0))},
-          .mass_coupling = {mode * (m(0, 0) * sigma + m(0, 1))},
-          .contact_mass = sigma * (m(0, 0) * sigma + 2.0 * m(0, 1)) + m(1, 1),
-          .contact_stiffness = k(1, 1) - k(0, 1) * k(0, 1) / k(0, 0),
-          .follower = {follower * mode},
-          .contact_follower = follower * sigma,
-          .damping = damping,
-          .load = {mode * pair.load[0], sigma * pair.load[0] + pair.load[1]},
-          .load_angular_frequency = pair.omega,
-          .wall_amplitude = pair.wall_amplitude,
-          .normal_force = pair.normal_force,
-          .friction = data::FrictionLaw({.static_coefficient = pair.friction_coefficient,
-                                         .kinetic_coefficient = pair.friction_coefficient,
-                                         .decay = 0.0})};
+  analytic::ContactModel model;
+  model.angular_frequency = {std::sqrt(k(0, 0) / m(0, 0))};
+  model.mass_coupling = {mode * (m(0, 0) * sigma + m(0, 1))};
+  model.contact_mass = sigma * (m(0, 0) * sigma + 2.0 * m(0, 1)) + m(1, 1);
+  model.contact_stiffness = k(1, 1) - k(0, 1) * k(0, 1) / k(0, 0);
+  model.follower = {follower * mode};
+  model.contact_follower = follower * sigma;
+  model.damping = damping;
+  model.load = {mode * pair.load[0], sigma * pair.load[0] + pair.load[1]};
+  model.load_angular_frequency = pair.omega;
+  model.wall_amplitude = pair.wall_amplitude;
+  model.normal_force = pair.normal_force;
+  model.friction = data::FrictionLaw({.static_coefficient = pair.friction_coefficient,
+                                      .kinetic_coefficient = pair.friction_coefficient,
+                                      .decay = 0.0});
+  return model;
 }
 
 solver::ContactSystem contact_system(const ForcedPair& pair) {

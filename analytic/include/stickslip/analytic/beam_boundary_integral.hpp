@@ -17,8 +17,8 @@ struct TimeGrid {
 
 /// f_h: the friction force on the beam that holds its tip, from the quasi-static start, N, for each step. Undamped it is
 /// the mean over the step of minus Eq. (28), with the exact steady part and 200 free vibrations (StickResponse), whose
-/// amplitudes fall as n⁻⁴. With Kelvin-Voigt damping it is that of a BeamContactModel of 40 modes in the middle of the
-/// step. Throws what these throw, and data::FieldError unless damping.ratio is 0, time_step > 0 and steps is in
+/// amplitudes fall as n⁻⁴. With Kelvin-Voigt damping it is that of a HeldBeam of 40 modes in the middle of the
+/// step. Throws what these throw, and data::FieldError for other damping, unless time_step > 0 and steps is in
 /// 1 ... 2²⁶.
 [[nodiscard]] std::vector<double> holding_force(const data::Beam& beam,
                                                 const data::HarmonicExcitation& excitation,

@@ -48,8 +48,8 @@ class Matrix {
   std::vector<double> values_;
 };
 
-/// The model above; m modes, none at all for a single mass.
-struct ContactModel {
+/// The structure above, without what moves it and what it rubs against; m modes, none at all for a single mass.
+struct HeldStructure {
   std::vector<double> angular_frequency;  ///< ω_n > 0 of the held contact, rad/s; m
   std::vector<double> mass_coupling;      ///< a_n, kg^(1/2); m
   double contact_mass{};                  ///< m_c, kg; m_c - a . a > 0
@@ -57,18 +57,34 @@ struct ContactModel {
   std::vector<double> follower;           ///< l_n, kg^(1/2)/s²; m
   double contact_follower{};              ///< l_c, N/m
   Matrix damping;                         ///< C, (m + 1) x (m + 1), the contact last; empty if there is none
-  std::vector<double> load;               ///< b, m + 1, the contact last
-  double contact_force{};                 ///< F_c, N
-  double load_angular_frequency{};        ///< Ω > 0, rad/s
-  double wall_amplitude{};                ///< W, m
-  double wall_speed{};                    ///< V, m/s
-  double normal_force{};                  ///< N ≥ 0, newton
-  data::FrictionLaw friction{{}};
+  /// p, m + 1, the contact last: the load of a base that moves by h(t) is b s(t) = -p h_tt; kg^(1/2), the last one kg
+  std::vector<double> participation;
 
   [[nodiscard]] std::size_t modes() const noexcept { return angular_frequency.size(); }
 };
 
+/// The whole model above.
+struct ContactModel : HeldStructure {
+  std::vector<double> load;         ///< b, m + 1, the contact last
+  double contact_force{};           ///< F_c, N
+  double load_angular_frequency{};  ///< Ω > 0, rad/s
+  double wall_amplitude{};          ///< W, m
+  double wall_speed{};              ///< V, m/s
+  double normal_force{};            ///< N ≥ 0, newton
+  data::FrictionLaw friction{{}};
+};
+
 /// Throws std::invalid_argument, naming the part, its size or value and what is allowed.
 void require_consistent(const ContactModel& model);
+
+/// The structure of a case in its first `modes` held modes. Throws what HeldBeam throws.
+[[nodiscard]] HeldStructure held_structure(const data::Case& problem, int modes);
+
+/// A structure in the frame of a base that moves by h(t) = A0 sin(Ω t): b = A0 Ω² p, and the wall moves by -h. It has no friction.
+[[nodiscard]] ContactModel contact_model(HeldStructure structure, const data::HarmonicExcitation& base);
+/// A structure under the motion, the friction and the wall of a case.
+[[nodiscard]] ContactModel contact_model(HeldStructure structure, const data::Case& problem);
+/// That of held_structure(problem, modes).
+[[nodiscard]] ContactModel contact_model(const data::Case& problem, int modes);
 
 }  // namespace stickslip::analytic

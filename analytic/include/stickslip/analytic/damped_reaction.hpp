@@ -5,7 +5,7 @@
 ///
 /// Kelvin-Voigt damping is η times the bending stiffness, and a damping ratio holds in the modes of the beam
 /// with its tip free and P = 0. Neither is diagonal in the modes of the stick state. With the N modes of
-/// BeamContactModel, y = (ω_n T_n, T_n_t) = Re(Z z) separates them (StickPropagator), and per unit amplitude
+/// a HeldStructure, y = (ω_n T_n, T_n_t) = Re(Z z) separates them (StickPropagator), and per unit amplitude
 ///
 ///     f(t)/A0 = (s + m Ω²) sin(Ω t) + r Ω cos(Ω t) + Re Σ_k z_k(t),
 ///     z_k_t = λ_k z_k + u_k Ω² sin(Ω t) + v_k Ω cos(Ω t),       z_k(0) = 0,
@@ -20,6 +20,7 @@
 #include <complex>
 #include <vector>
 
+#include "stickslip/analytic/contact_model.hpp"
 #include "stickslip/analytic/force_maximum.hpp"
 #include "stickslip/analytic/stick_propagator.hpp"
 #include "stickslip/analytic/stick_response.hpp"
@@ -38,9 +39,9 @@ struct DampedReaction {
 
 /// With SteadyPart::modal_sum the undamped limit is ModalReaction, Eq. (28), with as many modes. With SteadyPart::exact
 /// the inertia of the other modes counts statically, so that the terms at Ω fall as P n⁻⁴ + n⁻⁶. Throws what
-/// BeamContactModel and StickPropagator throw. Next to critical damping of a mode two terms of up to 1e8 times the force
+/// StickPropagator throws. Next to critical damping of a mode two terms of up to 1e8 times the force
 /// cancel; DampedForce::rounding() includes that.
-[[nodiscard]] DampedReaction damped_reaction(const data::Beam& beam, const data::Damping& damping, int modes,
+[[nodiscard]] DampedReaction damped_reaction(const HeldStructure& structure,
                                              SteadyPart steady_part = SteadyPart::modal_sum);
 
 /// The same for a tip that a spring k_t holds to the wall (data::TangentialContact), as long as its slider rests: the
@@ -50,10 +51,8 @@ struct DampedReaction {
 ///
 /// and the static part x_s = s/(s + k_t) of X, s = R[S], is taken out. The rest starts with X_t(0) = -x_s Ω e. For
 /// large k_t it tends to SteadyPart::exact of the held tip; the static part differs by the factor k_t/(s + k_t). Throws
-/// data::FieldError, naming contact.tangential_stiffness, if the beam on its spring buckles or flutters; and what
-/// BeamContactModel throws.
-[[nodiscard]] DampedReaction compliant_reaction(const data::Beam& beam, const data::Damping& damping,
-                                                double tangential_stiffness, int modes);
+/// data::FieldError, naming contact.tangential_stiffness, if the beam on its spring buckles or flutters.
+[[nodiscard]] DampedReaction compliant_reaction(const HeldStructure& structure, double tangential_stiffness);
 
 /// The reaction to one excitation frequency over 0 ≤ t ≤ duration, per unit amplitude.
 class DampedForce {

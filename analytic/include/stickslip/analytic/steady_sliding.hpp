@@ -58,6 +58,8 @@ struct SteadySliding {
 /// The mobility of the contact of a model, with any damping: s [(s² M + s C + K)⁻¹]_cc, by elimination; infinite
 /// where s is an eigenvalue.
 [[nodiscard]] Mobility contact_mobility(const ContactModel& model);
+/// That of a case: with all modes (TipMobility), or, for damping other than Kelvin-Voigt's, with this model of it.
+[[nodiscard]] Mobility contact_mobility(const data::Case& problem, const ContactModel& model);
 
 /// Where a pair of roots crosses the imaginary axis as κ grows.
 struct HopfPoint {

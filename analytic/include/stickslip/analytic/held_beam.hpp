@@ -10,10 +10,10 @@
 
 namespace stickslip::analytic {
 
-/// The beam of the paper as a ContactModel without a mesh: its clamped-pinned modes U_n, mass-normalised, and
+/// The beam of the paper as a HeldStructure without a mesh: its clamped-pinned modes U_n, mass-normalised, and
 /// the static shape σ(x) = -S(x) of a unit tip deflection, all in closed form. In the frame of the base
 ///
-///     u(x,t) = σ(x) u_L(t) + Σ_n U_n(x) T_n(t),     w(t) = V t - h(t),     y = h + u,
+///     u(x,t) = σ(x) u_L(t) + Σ_n U_n(x) T_n(t),     y = h + u,
 ///
 /// and, by Galerkin's method on
 ///
@@ -22,7 +22,7 @@ namespace stickslip::analytic {
 /// the coefficients are
 ///
 ///     a_n = ρ A ∫ U_n σ dx,    m_c = ρ A ∫ σ² dx,    k_c = -EI σ'''(L) - P σ'(L),
-///     l_n = (1 - χ) P U_n'(L),    l_c = (1 - χ) P σ'(L),    b = A0 Ω² ρ A ∫ (U_n, σ) dx.
+///     l_n = (1 - χ) P U_n'(L),    l_c = (1 - χ) P σ'(L),    p = ρ A ∫ (U_n, σ) dx.
 ///
 /// Kelvin-Voigt damping is η times the bending stiffness, K + P ∫ u' u' dx. Modal damping gives the
 /// fraction ζ of critical to every mode of the same space with its tip free and P = 0.
@@ -34,16 +34,13 @@ namespace stickslip::analytic {
 ///
 /// Truncation in stick. σ carries the static part of the reaction. Its terms at Ω alternate and fall as
 /// P n⁻⁴ + n⁻⁶ (those of Eq. (28) as n⁻²), the free vibrations of the start as n⁻⁴, which is N⁻³ in sum.
-class BeamContactModel {
+class HeldBeam {
  public:
   /// Throws data::FieldError, naming beam.axial_force, unless 0 < P < P_cr, and what stick_modes()
   /// throws.
-  BeamContactModel(const data::Beam& beam, const data::FrictionLaw& friction,
-                   const data::HarmonicExcitation& excitation, const data::Damping& damping, int modes,
-                   const data::Wall& wall = {});
-  BeamContactModel(const data::Case& problem, int modes);
+  HeldBeam(const data::Beam& beam, const data::Damping& damping, int modes);
 
-  [[nodiscard]] const ContactModel& model() const noexcept { return model_; }
+  [[nodiscard]] const HeldStructure& structure() const noexcept { return structure_; }
 
   /// U_n(x), the σ(x) last: u(x) is its product with (T, u_L). 0 ≤ x ≤ L in m.
   [[nodiscard]] std::vector<double> shapes(double x) const;
@@ -54,10 +51,10 @@ class BeamContactModel {
   std::vector<StickMode> modes_;
   QuasiStaticShape static_shape_;
   std::vector<double> scale_;  // 1/√(ρ A ∫ U_n² dx)
-  ContactModel model_;
+  HeldStructure structure_;
 };
 
-/// y(x,t) = h + u, m, of a run of a BeamContactModel at its time(); `shapes` are BeamContactModel::shapes(x).
+/// y(x,t) = h + u, m, of a run of a HeldBeam at its time(); `shapes` are HeldBeam::shapes(x).
 [[nodiscard]] double absolute_displacement(const std::vector<double>& shapes, const EventDriven& run);
 
 }  // namespace stickslip::analytic

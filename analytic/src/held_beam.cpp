@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "stickslip/analytic/beam_contact_model.hpp"
+#include "stickslip/analytic/held_beam.hpp"
 
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <numbers>
 #include <numeric>
 
 #include "beam_constants.hpp"
@@ -56,19 +55,16 @@ Matrix modal_damping(const Matrix& mass, const Matrix& stiffness, double ratio) 
 
 }  // namespace
 
-BeamContactModel::BeamContactModel(const data::Beam& beam, const data::FrictionLaw& friction,
-                                   const data::HarmonicExcitation& excitation, const data::Damping& damping,
-                                   int modes, const data::Wall& wall)
+HeldBeam::HeldBeam(const data::Beam& beam, const data::Damping& damping, int modes)
     : modes_(stick_modes(beam, modes)), static_shape_(beam) {
   require_compression(beam);
   const double length = beam.length(), follower = follower_force(beam);
   const double density = mass_per_length(beam);
-  const double omega = 2.0 * std::numbers::pi * excitation.frequency_hz();
   const std::size_t m = modes_.size();
   for (const StickMode& mode : modes_) {
     scale_.push_back(1.0 / std::sqrt(density * mode.norm_squared()));
-    model_.angular_frequency.push_back(mode.angular_frequency());
-    model_.follower.push_back(follower * scale_.back() * mode.slope(length));
+    structure_.angular_frequency.push_back(mode.angular_frequency());
+    structure_.follower.push_back(follower * scale_.back() * mode.slope(length));
   }
   // Masses with the constant 1 as the last function, whose products are the load of the base.
   const auto shapes_and_one = [this](double x) {
@@ -80,28 +76,19 @@ BeamContactModel::BeamContactModel(const data::Beam& beam, const data::FrictionL
   Matrix mass(m + 1, m + 1);
   for (std::size_t n = 0; n <= m; ++n) {
     mass(n, n) = n < m ? 1.0 : density * products(m, m);
-    model_.load.push_back(excitation.amplitude() * omega * omega * density * products(n, m + 1));
+    structure_.participation.push_back(density * products(n, m + 1));
     if (n == m) break;
     mass(n, m) = mass(m, n) = density * products(n, m);
-    model_.mass_coupling.push_back(mass(n, m));
+    structure_.mass_coupling.push_back(mass(n, m));
   }
-  model_.contact_mass = mass(m, m);
-  model_.contact_follower = -follower * static_shape_.slope(length);
-  model_.contact_stiffness = bending_stiffness(beam) * static_shape_.third_derivative(length) +
-                             beam.axial_force() * static_shape_.slope(length);
-  model_.load_angular_frequency = omega;
-  model_.wall_amplitude = -excitation.amplitude();
-  model_.wall_speed = wall.speed();
-  model_.normal_force = beam.axial_force();
-  model_.friction = friction;
+  structure_.contact_mass = mass(m, m);
+  structure_.contact_follower = -follower * static_shape_.slope(length);
+  structure_.contact_stiffness = bending_stiffness(beam) * static_shape_.third_derivative(length) +
+                                 beam.axial_force() * static_shape_.slope(length);
   if (!damping.is_none()) add_damping(beam, damping, mass);
 }
 
-BeamContactModel::BeamContactModel(const data::Case& problem, int modes)
-    : BeamContactModel(problem.beam(), problem.contact.friction, problem.excitation(), problem.damping, modes,
-                       problem.contact.wall) {}
-
-void BeamContactModel::add_damping(const data::Beam& beam, const data::Damping& damping, const Matrix& mass) {
+void HeldBeam::add_damping(const data::Beam& beam, const data::Damping& damping, const Matrix& mass) {
   const std::size_t m = modes_.size();
   const auto slopes = [this](double x) {
     std::vector<double> values;
@@ -112,16 +99,17 @@ void BeamContactModel::add_damping(const data::Beam& beam, const data::Damping& 
   Matrix bending = integral_of_products(slopes, beam.length(), m);
   for (std::size_t row = 0; row <= m; ++row)
     for (std::size_t column = 0; column <= m; ++column) bending(row, column) *= beam.axial_force();
-  for (std::size_t n = 0; n < m; ++n) bending(n, n) += std::pow(model_.angular_frequency[n], 2);
-  bending(m, m) += model_.contact_stiffness;
-  model_.damping =
+  for (std::size_t n = 0; n < m; ++n) bending(n, n) += std::pow(structure_.angular_frequency[n], 2);
+  bending(m, m) += structure_.contact_stiffness;
+  structure_.damping =
       damping.ratio() > 0.0 ? modal_damping(mass, bending, damping.ratio()) : Matrix(m + 1, m + 1);
   for (std::size_t row = 0; row <= m; ++row)
     for (std::size_t column = 0; column <= m; ++column)
-      model_.damping(row, column) += damping.kelvin_voigt() * bending(row, column);
+      structure_.damping(row, column) +=
+          damping.kelvin_voigt() * bending(row, column) + damping.mass_proportional() * mass(row, column);
 }
 
-std::vector<double> BeamContactModel::shapes(double x) const {
+std::vector<double> HeldBeam::shapes(double x) const {
   std::vector<double> values;
   values.reserve(modes_.size() + 1);
   for (std::size_t n = 0; n < modes_.size(); ++n) values.push_back(scale_[n] * modes_[n].shape(x));
