@@ -45,10 +45,12 @@ inline void require_compression(const data::Beam& beam) {
                          "positive (compression), or there is no contact");
 }
 
-/// Throws data::FieldError, naming damping.ratio, unless that is 0.
-inline void require_no_damping_ratio(const data::Damping& damping) {
-  if (damping.ratio() == 0.0) return;
-  throw data::FieldError("damping.ratio", damping.ratio(),
+/// Throws data::FieldError, naming the key, for damping other than Kelvin-Voigt's.
+inline void require_kelvin_voigt(const data::Damping& damping) {
+  if (damping.is_kelvin_voigt()) return;
+  const bool has_ratio = damping.ratio() > 0.0;
+  throw data::FieldError(has_ratio ? "damping.ratio" : "damping.mass_proportional",
+                         has_ratio ? damping.ratio() : damping.mass_proportional(),
                          "0: the closed form knows Kelvin-Voigt damping alone");
 }
 

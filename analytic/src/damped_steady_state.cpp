@@ -64,7 +64,7 @@ DampedSteadyState::DampedSteadyState(const data::Beam& beam, const data::Harmoni
                                      const data::Damping& damping, TipSupport tip)
     : beam_(beam), length_(beam.length()) {
   require_rigid_in_shear(beam);
-  require_no_damping_ratio(damping);
+  require_kelvin_voigt(damping);
   const double omega = 2.0 * pi * excitation.frequency_hz();
   const double loss_factor = omega * damping.kelvin_voigt();
   loss_ = pi * loss_factor * bending_stiffness(beam);

@@ -111,7 +111,7 @@ Complex deflection(double xi, Complex k, Complex z, double decay) {
 TipMobility::TipMobility(const data::Beam& beam, const data::Damping& damping)
     : beam_(beam), kelvin_voigt_(damping.kelvin_voigt()) {
   require_rigid_in_shear(beam);
-  require_no_damping_ratio(damping);
+  require_kelvin_voigt(damping);
 }
 
 struct TipMobility::Scaled {

@@ -168,6 +168,7 @@ Damping::Damping(const DampingProperties& properties) : properties_(properties) 
   require_not_negative("damping.kelvin_voigt", kelvin_voigt(), " (s)");
   if (!(ratio() >= 0.0 && ratio() < 1.0))
     throw FieldError("damping.ratio", ratio(), "a number from 0 to below 1");
+  require_not_negative("damping.mass_proportional", mass_proportional(), " (1/s)");
 }
 
 Wall::Wall(double speed) : speed_(speed) { require_finite("wall.speed", speed, " (m/s)"); }
@@ -193,7 +194,9 @@ std::span<const FeatureKey> feature_keys() {
   static constexpr std::array keys{
       FeatureKey{"damping.kelvin_voigt", Feature::kelvin_voigt,
                  [](const Case& of) { return of.damping.kelvin_voigt(); }},
-      FeatureKey{"damping.ratio", Feature::damping_ratio, [](const Case& of) { return of.damping.ratio(); }},
+      FeatureKey{"damping.ratio", Feature::other_damping, [](const Case& of) { return of.damping.ratio(); }},
+      FeatureKey{"damping.mass_proportional", Feature::other_damping,
+                 [](const Case& of) { return of.damping.mass_proportional(); }},
       FeatureKey{"contact.tangential_stiffness", Feature::yielding_contact,
                  [](const Case& of) { return of.contact.compliance.tangential_stiffness(); },
                  std::numeric_limits<double>::infinity()},

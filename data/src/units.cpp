@@ -24,7 +24,8 @@ constexpr std::array units{NamedUnit{"Hz", {"Hz"}},
                            NamedUnit{"mHz", {"Hz", 1, 1e3}},
                            NamedUnit{"kHz", {"Hz", 1e3}},
                            NamedUnit{"MHz", {"Hz", 1e6}},
-                           NamedUnit{"1/s", {"Hz"}},
+                           NamedUnit{"1/s", {"Hz"}},  // in the heading of a column
+                           NamedUnit{"1/s", {"1/s"}},
                            NamedUnit{"rad/s", {"Hz", 1, 2.0 * std::numbers::pi}},
                            NamedUnit{"s", {"s"}},
                            NamedUnit{"ms", {"s", 1, 1e3}},
@@ -106,9 +107,10 @@ std::optional<double> quantity_in(std::string_view text, std::string_view si, bo
   if (error != std::errc{}) return std::nullopt;
   const auto name = trimmed(text.substr(static_cast<std::size_t>(end - text.data())));
   if (name.empty()) return may_lack_unit ? std::optional(value) : std::nullopt;
-  const auto unit = unit_named(name);
-  if (!unit || unit->si != si) return std::nullopt;
-  return unit->to_si(value);
+  const auto* const found = std::ranges::find_if(
+      units, [&](const NamedUnit& one) { return one.name == spelled(name) && one.unit.si == si; });
+  if (found == units.end()) return std::nullopt;
+  return found->unit.to_si(value);
 }
 
 std::string quantity_allowed(std::string_view text, std::string_view si) {

@@ -103,8 +103,10 @@ Answer answer_of(const data::Case& problem, const studies::CriterionAnswer& foun
   add_excitation(answer, problem);
   answer.add_members({{"duration_s", problem.numerics.duration()}, {"modes", problem.numerics.modes()}});
   if (is_damped)
-    answer.add_members(
-        {{"damping", {{"kelvin_voigt_s", damping.kelvin_voigt()}, {"ratio", damping.ratio()}}}});
+    answer.add_members({{"damping",
+                         {{"kelvin_voigt_s", damping.kelvin_voigt()},
+                          {"ratio", damping.ratio()},
+                          {"mass_proportional_per_s", damping.mass_proportional()}}}});
   answer.add_line(conditions_of(problem) + (is_damped ? ", with damping\n" : "\n"));
   add_criteria(answer, problem, found);
   add_steady_state(answer, found.steady, problem.numerics.duration());

@@ -105,12 +105,13 @@ Answer answer_of(const studies::Squeal& squeal, const studies::Cycle& cycle) {
   return answer;
 }
 
-// A damping ratio is that of the modes of the case, which with the deflection of the tip have one root more.
+// Damping other than Kelvin-Voigt's is that of the modes of the case, which with the deflection of the tip have one root more.
 void require_modes(const data::Case& problem, int modes) {
   const int most = problem.numerics.modes() + 1;
-  if (problem.has(data::Feature::damping_ratio) && modes > most)
+  if (problem.has(data::Feature::other_damping) && modes > most)
     throw data::FieldError(
-        "--modes", modes, fmt::format("at most {} with a damping.ratio: one more than numerics.modes", most));
+        "--modes", modes,
+        fmt::format("at most {} with damping other than kelvin_voigt: one more than numerics.modes", most));
 }
 
 std::string map_text(const data::Case& problem, const std::vector<double>& speeds,
@@ -140,7 +141,7 @@ Answer steady_sliding(const SquealOptions& options, Outputs& outputs) {
   if (!options.map.empty()) {
     speeds = parse_values("--speeds", "wall.speed", options.speeds, options.count);
     ratios = parse_values("--ratios", "damping.ratio", options.ratios, options.count);
-    (void)data::Damping({.kelvin_voigt = problem.damping.kelvin_voigt(), .ratio = ratios.back()});
+    (void)with_value(problem, "damping.ratio", ratios.back());
   }
   outputs.about(problem);
   outputs.open({{"--map", options.map}, {"--figure", options.figure}});

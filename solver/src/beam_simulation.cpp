@@ -45,6 +45,7 @@ Coordinates fastest_coordinates(int elements, const data::Damping& damping, Cont
 SparseMatrix damping_matrix(const BeamModel& model, const data::Damping& damping) {
   SparseMatrix matrix(model.degrees_of_freedom(), model.degrees_of_freedom());
   if (damping.kelvin_voigt() > 0.0) matrix = damping.kelvin_voigt() * model.elastic_stiffness();
+  if (damping.mass_proportional() > 0.0) matrix += damping.mass_proportional() * model.mass();
   if (damping.ratio() > 0.0) matrix += SparseMatrix(modal_damping(model, damping.ratio()).sparseView());
   return matrix;
 }
@@ -79,12 +80,11 @@ void require_contact(const data::Beam& beam, bool is_bonded) {
                          "positive (compression), or there is no contact");
 }
 
-void require_undamped(const data::Damping& damping) {
-  if (damping.is_none()) return;
-  const bool viscous = damping.kelvin_voigt() > 0.0;
-  throw data::FieldError(viscous ? "damping.kelvin_voigt" : "damping.ratio",
-                         viscous ? damping.kelvin_voigt() : damping.ratio(),
-                         "0 in modal coordinates, which damping would couple");
+void require_undamped(const data::Case& problem) {
+  for (const data::FeatureKey& key : data::feature_keys())
+    if (key.path.starts_with("damping.") && key.value(problem) != 0.0)
+      throw data::FieldError(key.path, key.value(problem),
+                             "0 in modal coordinates, which damping would couple");
 }
 
 ContactScheme scheme_of(const RunOptions& options) { return options.scheme.value_or(ContactScheme::located); }
@@ -93,7 +93,7 @@ Coordinates coordinates_of(const data::Case& problem, const RunOptions& options)
   const ContactScheme scheme = scheme_of(options);
   if (!options.coordinates) return fastest_coordinates(problem.numerics.elements(), problem.damping, scheme);
   if (options.coordinates == Coordinates::nodal) return Coordinates::nodal;
-  require_undamped(problem.damping);
+  require_undamped(problem);
   if (scheme == ContactScheme::paper)
     throw std::logic_error(
         "the scheme of the paper overwrites a nodal velocity: it has no modal coordinates");

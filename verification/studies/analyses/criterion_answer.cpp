@@ -71,8 +71,8 @@ double steady_draw_back(const data::Case& problem) {
                     problem.beam().length());
     return bending.draw_back;
   }
-  const double first = two_pi * stick_hz(problem.beam(), 1), eta = problem.damping.kelvin_voigt() * first;
-  const double ratio = problem.damping.ratio() + (eta > 0.0 ? std::min(0.5 * eta, 1.0 / eta) : 0.0);
+  const double first = two_pi * stick_hz(problem.beam(), 1), at_first = problem.damping.ratio_at(first);
+  const double ratio = std::min(at_first, 0.5 / at_first);  // a vibration beyond critical damping creeps back
   std::vector<double> times;
   for (int i = 0; i < 64; ++i)
     times.push_back(150.0 / (ratio * first) + i / (64.0 * problem.excitation().frequency_hz()));

@@ -22,7 +22,7 @@ using data::Feature;
 const std::vector<std::pair<Feature, std::string_view>> features{
     {Feature::slip, "slip, and changes of contact (`--events`)"},
     {Feature::kelvin_voigt, "`damping.kelvin_voigt`"},
-    {Feature::damping_ratio, "`damping.ratio`"},
+    {Feature::other_damping, "`damping.ratio`, `damping.mass_proportional`"},
     {Feature::yielding_contact, "a spring or a smooth law (`[contact]`)"},
     {Feature::moving_wall, "`wall.speed`"},
     {Feature::shear, "`beam.shear_stiffness`"},
@@ -56,7 +56,7 @@ const std::vector<Method>& methods() {
   static const std::vector<Method> all{
       {"boundary-integral",
        Basis::whole_beam,
-       {{Feature::damping_ratio, "0 with the boundary integral, which allows Kelvin-Voigt damping only"},
+       {{Feature::other_damping, "0 with the boundary integral, which allows Kelvin-Voigt damping only"},
         {Feature::moving_wall, resting},
         {Feature::shear, no_shear},
         {Feature::start_at_rest, quasi_static},
@@ -69,7 +69,7 @@ const std::vector<Method>& methods() {
        {{Feature::slip,
          "one that follows the slip (fe, event-driven or boundary-integral) where --events is given"},
         {Feature::kelvin_voigt, undamped},
-        {Feature::damping_ratio, undamped},
+        {Feature::other_damping, undamped},
         {Feature::yielding_contact, rigid},
         {Feature::moving_wall, resting},
         {Feature::shear, no_shear},

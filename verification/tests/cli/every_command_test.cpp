@@ -155,7 +155,7 @@ void EveryCommand::expect_points(const CaseText& text, const std::vector<Varied>
     const std::string band = at.text() + ":" + at.text();
     const Json design = by_design(text, band);
     EXPECT_TRUE(within(design["margin"]["lower"], expected, sharp));
-    if (text.has("damping.kelvin_voigt") || text.has("damping.ratio")) {
+    if (is_damped(text)) {
       // of all modes; what is left out falls at least as 1/modes, so that twice as many change more than they leave out
       const double steady = one["friction_limit_N"].get<double>() / one["steady"]["force_N"].get<double>(),
                    with_twelve = design["steady_margin"]["lower"],
@@ -195,9 +195,8 @@ void EveryCommand::expect_sweep(const Varied& at) const {
 // The worst frequency of a band is one of it, and no other is worse. With damping a start lasts as many periods at each of them.
 void EveryCommand::expect_band(const CaseText& text) const {
   const double hz = text.number("excitation.frequency_hz"), last = 1.3 * hz;
-  const bool is_damped = text.has("damping.kelvin_voigt") || text.has("damping.ratio");
   const auto by_criterion = [&](double at) {
-    const double duration = text.number("excitation.duration") * (is_damped ? last / at : 1.0);
+    const double duration = text.number("excitation.duration") * (is_damped(text) ? last / at : 1.0);
     return margin_in(
         ask({"criterion", "case.toml", "--set", "excitation.frequency_hz=" + data::shortest_text(at), "--set",
              "excitation.duration=" + data::shortest_text(duration)}));
@@ -271,11 +270,11 @@ TEST_F(EveryCommand, MakesItsBestChangeTrue) {
 TEST_F(EveryCommand, IsAskedInTheSimplestCase) {
   RandomNumbers numbers(1);
   const CaseText text = random_case(numbers, {.kelvin_voigt = 1.0, .ratio = 1.0, .moving_wall = 1.0});
-  const auto claim = [](const CaseText& of, RandomNumbers&) { EXPECT_FALSE(of.has("damping.ratio")); };
+  const auto claim = [](const CaseText& of, RandomNumbers&) { EXPECT_FALSE(of.has("damping.kelvin_voigt")); };
   EXPECT_EQ(failures_of(claim, text, numbers).size(), 1u);
   const CaseText least = simplest(claim, text, numbers);
-  EXPECT_TRUE(least.has("damping.ratio"));
-  for (const char* feature : {"damping.kelvin_voigt", "wall.speed", "friction.decay"})
+  EXPECT_TRUE(least.has("damping.kelvin_voigt"));
+  for (const char* feature : {"damping.ratio", "damping.mass_proportional", "wall.speed", "friction.decay"})
     EXPECT_FALSE(least.has(feature)) << feature;
 }
 

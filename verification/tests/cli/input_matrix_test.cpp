@@ -336,7 +336,7 @@ TEST_F(CaseFileInput, IsRefusedInOneSentenceOrRead) {
       runs.insert(runs.end(),
                   {"respond case.toml --duration 0.002" + (row.item == "friction.decay" ? rigid : ""),
                    "criterion case.toml --set damping.ratio=0 --set damping.kelvin_voigt=0 --set "
-                   "excitation.duration=0.1 --set wall.speed=0" +
+                   "damping.mass_proportional=0 --set excitation.duration=0.1 --set wall.speed=0" +
                        rigid});
     for (const std::string& run : runs) {
       const Outcome outcome = run_line(run);

@@ -23,7 +23,8 @@ struct Refusable {
 };
 
 const std::vector<Refusable> keys{{Feature::kelvin_voigt, "damping.kelvin_voigt", 1},
-                                  {Feature::damping_ratio, "damping.ratio", 1},
+                                  {Feature::other_damping, "damping.ratio", 1},
+                                  {Feature::other_damping, "damping.mass_proportional", 1},
                                   {Feature::shear, "beam.poissons_ratio", 2, "beam.shear_stiffness"},
                                   {Feature::moving_wall, "wall.speed", 3},
                                   {Feature::yielding_contact, "contact.tangential_stiffness", 4},

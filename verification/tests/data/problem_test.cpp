@@ -68,6 +68,7 @@ const std::vector<Rule> rules{
     {"numerics.duration", "s", 1e-15, 1e15, {}},
     {"damping.kelvin_voigt", "s", 1e-18, 1e6, not_negative},
     {"damping.ratio", "", 1e-9, 1.0, {0.0, 1.0, true, false}},
+    {"damping.mass_proportional", "1/s", 1e-18, 1e9, not_negative},
     {"contact.tangential_stiffness", "N/m", 1e-18, 1e24, {0.0, infinity, false, true}},
     {"contact.regularisation_velocity", "m/s", 1e-18, 1e9, not_negative},
     {"wall.speed", "m/s", 1e-15, 1e9, finite},
@@ -105,6 +106,18 @@ std::vector<double> values_for(const Rule& rule, bool is_integer, RandomNumbers&
   }
   if (!is_integer) values.insert(values.end(), {nan, infinity, -infinity});
   return values;
+}
+
+STICKSLIP_VERIFIES(KeyAxes, "P1");
+TEST(KeyAxes, ConvertToTheUnitOfTheirLabel) {
+  for (const data::Key& key : data::case_keys()) {
+    if (!holds(std::string(key.axis.label), " / ")) continue;
+    std::string unit(key.axis.unit());
+    std::erase_if(unit, [](char c) { return c == '(' || c == ')'; });
+    const auto one = data::quantity_in("1 " + unit, key.magnitudes.unit);
+    ASSERT_TRUE(one.has_value()) << key.path;
+    EXPECT_TRUE(within(key.axis.scale * *one, 1.0, round_off(1, 1, 1.0))) << key.path;
+  }
 }
 
 STICKSLIP_VERIFIES(LimitsOfKeys, "P1");

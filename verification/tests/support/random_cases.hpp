@@ -76,6 +76,11 @@ inline CaseText stated(CaseText text, const Statement& statement) {
   return text;
 }
 
+inline bool is_damped(const CaseText& text) {
+  return text.has("damping.kelvin_voigt") || text.has("damping.ratio") ||
+         text.has("damping.mass_proportional");
+}
+
 inline void give_units(CaseText& text) {
   for (const auto& [key, unit, one] : {std::tuple{"beam.length", "mm", 1e-3},
                                        {"section.width", "um", 1e-6},
@@ -132,7 +137,11 @@ inline CaseText random_case(RandomNumbers& numbers, const CaseDomain& domain) {
   if (happens(domain.viscous)) text.set("friction.viscous", numbers.log_uniform(0.01, 0.3) * mu / speed);
   if (happens(domain.kelvin_voigt))
     text.set("damping.kelvin_voigt", 2.0 * numbers.log_uniform(1e-4, 0.1) / first);
-  if (happens(domain.ratio)) text.set("damping.ratio", numbers.log_uniform(1e-4, 0.1));
+  if (happens(domain.ratio)) {
+    const double ratio = numbers.log_uniform(1e-4, 0.1);
+    numbers.uniform(0.0, 1.0) < 0.7 ? text.set("damping.ratio", ratio)
+                                    : text.set("damping.mass_proportional", 2.0 * ratio * first);
+  }
   if (happens(domain.moving_wall)) text.set("wall.speed", speed * numbers.uniform(-1.5, 1.5));
   if (happens(domain.yielding)) {
     if (text.erase("friction.viscous"), happens(0.5))
@@ -167,9 +176,9 @@ std::vector<::testing::TestPartResult> failures_of(Claim& claim, const CaseText&
 template <typename Claim>
 CaseText simplest(Claim& claim, CaseText text, const RandomNumbers& numbers) {
   for (const char* feature :
-       {"damping.kelvin_voigt", "damping.ratio", "wall.speed", "contact.tangential_stiffness",
-        "contact.regularisation_velocity", "beam.axial_direction", "beam.poissons_ratio", "friction.viscous",
-        "friction.decay", "friction.kinetic_coefficient"}) {
+       {"damping.kelvin_voigt", "damping.ratio", "damping.mass_proportional", "wall.speed",
+        "contact.tangential_stiffness", "contact.regularisation_velocity", "beam.axial_direction",
+        "beam.poissons_ratio", "friction.viscous", "friction.decay", "friction.kinetic_coefficient"}) {
     if (!text.has(feature)) continue;
     CaseText simpler = text;
     simpler.erase(feature);

@@ -35,7 +35,7 @@ class DampedSteadyState {
  public:
   using Complex = std::complex<double>;
 
-  /// Throws data::FieldError, naming damping.ratio, unless that is 0: there is no such closed form with
+  /// Throws data::FieldError, naming the key, for damping other than Kelvin-Voigt's: there is no such closed form with
   /// an axial force.
   DampedSteadyState(const data::Beam& beam, const data::HarmonicExcitation& excitation,
                     const data::Damping& damping, TipSupport tip);

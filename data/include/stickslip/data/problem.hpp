@@ -216,11 +216,12 @@ struct DampingProperties {
   double kelvin_voigt{};  ///< η, s, ≥ 0: the bending moment is EI (u_xx + η u_xxt)
   /// ζ, 0 ≤ ζ < 1: fraction of critical damping of every mode of the beam with its tip free and P = 0
   double ratio{};
+  double mass_proportional{};  ///< δ, 1/s, ≥ 0: a force -δ ρA u_t per length, u_t relative to the base
 
   bool operator==(const DampingProperties&) const = default;
 };
 
-/// Damping inside the beam, the same in stick and slip; none by default. Both kinds add. Cannot be built
+/// Damping of the motion relative to the base, the same in stick and slip; none by default. The kinds add. Cannot be built
 /// invalid.
 class Damping {
  public:
@@ -230,11 +231,16 @@ class Damping {
 
   [[nodiscard]] double kelvin_voigt() const noexcept { return properties_.kelvin_voigt; }
   [[nodiscard]] double ratio() const noexcept { return properties_.ratio; }
+  [[nodiscard]] double mass_proportional() const noexcept { return properties_.mass_proportional; }
   [[nodiscard]] const DampingProperties& properties() const noexcept { return properties_; }
   [[nodiscard]] bool is_none() const noexcept { return properties_ == DampingProperties(); }
-  /// Of a mode, a fraction of critical: ζ + η ω/2, ω in rad/s.
+  /// Kelvin-Voigt damping or none: what a beam has in closed form.
+  [[nodiscard]] bool is_kelvin_voigt() const noexcept {
+    return properties_ == DampingProperties{.kelvin_voigt = kelvin_voigt()};
+  }
+  /// Of a mode, a fraction of critical: ζ + (η ω + δ/ω)/2, ω in rad/s.
   [[nodiscard]] double ratio_at(double angular_frequency) const noexcept {
-    return ratio() + 0.5 * kelvin_voigt() * angular_frequency;
+    return ratio() + 0.5 * (kelvin_voigt() * angular_frequency + mass_proportional() / angular_frequency);
   }
   bool operator==(const Damping&) const = default;
 
@@ -303,7 +309,7 @@ struct Contact {
 enum class Feature {
   slip,               ///< the motion after the first slip, with its changes of contact
   kelvin_voigt,       ///< damping.kelvin_voigt
-  damping_ratio,      ///< damping.ratio
+  other_damping,      ///< damping.ratio or damping.mass_proportional
   yielding_contact,   ///< a spring or a smooth law of friction, [contact]
   moving_wall,        ///< wall.speed
   shear,              ///< beam.shear_stiffness
