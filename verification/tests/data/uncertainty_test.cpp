@@ -44,15 +44,17 @@ TEST_F(UncertaintyTable, ReadsEveryField) {
 "beam.density" = { distribution = "triangular", lower = 1000, mode = 1000, upper = 1300 }
 "beam.shear_stiffness" = { distribution = "triangular", lower = 1e6, mode = 4e6, upper = 4e6 }
 "beam.youngs_modulus" = { distribution = "samples", file = "e.csv", column = "E_Pa" }
+"excitation.amplitude" = { distribution = "uniform", lower = "1 g", upper = "2 g" }
 correlation = [["beam.length", "beam.area", 0.25]]
 )"));
-  ASSERT_EQ(read.keys.size(), 7u);
+  ASSERT_EQ(read.keys.size(), 8u);
   const auto of = [&](const std::string& key) {
     return std::ranges::find(read.keys, key, &data::UncertainKey::key)->distribution;
   };
   EXPECT_EQ(of("friction.static_coefficient").mean, 0.55);
   EXPECT_EQ(of("friction.static_coefficient").standard_deviation, 0.05);
   EXPECT_EQ(of("beam.length").upper, 2.0);
+  EXPECT_EQ(of("excitation.acceleration_amplitude").upper, 19.6133);
   EXPECT_EQ(of("beam.length").mean_value(), 1.95);
   EXPECT_EQ(of("beam.area").kind, data::DistributionKind::lognormal);
   EXPECT_DOUBLE_EQ(of("beam.axial_force").mean_value(), 1600.0 / 3.0);
@@ -61,7 +63,7 @@ correlation = [["beam.length", "beam.area", 0.25]]
   EXPECT_EQ(of("beam.youngs_modulus").samples, (std::vector{1.9e9, 2.1e9}));
   EXPECT_EQ(of("beam.youngs_modulus").mean_value(), 2e9);
   EXPECT_EQ(std::ranges::count(read.correlation, 0.25), 2);
-  EXPECT_EQ(std::ranges::count(read.correlation, 1.0), 7);
+  EXPECT_EQ(std::ranges::count(read.correlation, 1.0), 8);
   EXPECT_TRUE(data::read_uncertainty(data::find_case("paper")).keys.empty());
 }
 

@@ -7,6 +7,7 @@
 #include "stickslip/solver/beam_simulation.hpp"
 #include "stickslip/solver/contact_mobility.hpp"
 #include "stickslip/solver/generalized_alpha.hpp"
+#include "support/contact_models.hpp"
 #include "support/testing.hpp"
 
 namespace stickslip::testing {
@@ -78,6 +79,14 @@ TEST(SteppedMobility, IsAGeneratingFunction) {
         }
       }
     }
+  }
+}
+
+TEST(ContactMobility, HasTheFrequencyOfAMass) {
+  for (const double omega : {0.0, 0.5, 3.0}) {
+    const solver::ContactMobility mobility(
+        contact_system({.mass = 2.0, .stiffness = 2.0 * omega * omega, .normal_force = 1.0}));
+    EXPECT_DOUBLE_EQ(mobility.angular_frequencies()[0], omega);
   }
 }
 
