@@ -11,7 +11,7 @@
 #include "case_options.hpp"
 #include "command.hpp"
 #include "commands.hpp"
-#include "map_part.hpp"
+#include "map_work.hpp"
 #include "range_text.hpp"
 #include "stickslip/data/input_text.hpp"
 
@@ -21,6 +21,7 @@ namespace {
 
 constexpr const char* verdict_name = "verdict";
 constexpr double usual_tolerance = 0.05;
+constexpr std::size_t most_parts = 1'000'000;
 
 struct MapOptions {
   CaseOptions problem;
@@ -32,10 +33,20 @@ struct MapOptions {
   std::optional<double> transient;
   std::optional<double> tolerance;
   bool dry_run{};
-  std::optional<MapPart> shard;
-  std::vector<std::string> merge;
-  std::string output = "-", figure;
+  studies::MapPart part;
+  std::string from, output = "-", figure;
 };
+
+// "K/M".
+studies::MapPart parse_part(const std::string& text) {
+  const std::size_t slash = std::min(text.find('/'), text.size());
+  const auto part = parse<std::size_t>(std::string_view(text).substr(0, slash));
+  const auto parts = parse<std::size_t>(std::string_view(text).substr(std::min(slash + 1, text.size())));
+  if (!part || !parts || *part < 1 || *part > *parts || *parts > most_parts)
+    throw data::FieldError("--shard", fmt::format("'{}'", data::printable(text)),
+                           fmt::format("K/M with integers 1 <= K <= M <= {}", most_parts));
+  return {*part, *parts};
+}
 
 // NAME or NAME,NAME...; none for the verdict.
 std::vector<const studies::MotionQuantity*> quantities_of(const std::string& text) {
@@ -49,7 +60,11 @@ std::vector<const studies::MotionQuantity*> quantities_of(const std::string& tex
           "--quantity", fmt::format("'{}'", data::printable(name)),
           fmt::format("one of {}, or some of those after the first with commas between them{}",
                       data::joined(known), data::suggestion(name, known)));
-  return quantities_named(names);
+  std::vector<const studies::MotionQuantity*> quantities;
+  for (const std::string_view name : names)
+    if (const auto* named = &studies::motion_quantity(name); std::ranges::count(quantities, named) == 0)
+      quantities.push_back(named);
+  return quantities;
 }
 
 // What a map of quantities rules out, or what it needs.
@@ -75,7 +90,8 @@ studies::MapTask map_task(const MapOptions& options) {
                         .method = &studies::method(options.method.value_or(studies::closed_form().name)),
                         .states_only = options.states_only,
                         .quantities = quantities,
-                        .tolerance = options.tolerance.value_or(usual_tolerance)};
+                        .tolerance = options.tolerance.value_or(usual_tolerance),
+                        .part = options.part};
   for (const auto& [axis, option] : {std::pair(&task.x, "--x"), std::pair(&task.y, "--y")}) {
     require_no_fixed_value(options.problem, axis->parameter, option);
     if (axis->parameter == "excitation.frequency_hz")
@@ -86,25 +102,28 @@ studies::MapTask map_task(const MapOptions& options) {
   return task;
 }
 
-// --merge takes from the shards what the other options say.
-void add_shard_options(CLI::App& command, MapOptions& options) {
-  auto* shard = command
-                    .add_option_function<std::string>(
-                        "--shard", [&options](const std::string& text) { options.shard = parse_part(text); },
-                        "Make only part K of M of the evaluations and write them to the output, for "
-                        "--merge; M runs with one K each make the map")
-                    ->type_name("K/M");
-  auto* merge = command
-                    .add_option("--merge", options.merge,
-                                "Make no evaluation, but the map from these files, the outputs of all shards")
-                    ->check(file_name())
-                    ->type_name("FILE...");
-  shard->excludes(command.get_option("--figure"));
-  for (CLI::Option* option : command.get_options())
-    for (const std::string name :
-         {"CASE", "--set", "--hz", "--amplitude", "--x", "--y", "--method", "--duration", "--states-only",
-          "--quantity", "--transient", "--tolerance", "--dry-run", "--shard"})
-      if (option->check_name(name)) merge->excludes(option);
+// --from takes from the file what the other options say.
+void add_part_options(CLI::App& command, MapOptions& options) {
+  CLI::Option* const figure = command.get_option("--figure");
+  auto* const shard =
+      command
+          .add_option_function<std::string>(
+              "--shard", [&options](const std::string& text) { options.part = parse_part(text); },
+              "Make only part K of M of the cells; the outputs of all parts, one after another, are the map")
+          ->type_name("K/M")
+          ->excludes(figure);
+  auto* const from = command
+                         .add_option("--from", options.from,
+                                     "Make no map, but draw the one that this file holds: an output, or "
+                                     "those of all shards joined")
+                         ->check(file_name())
+                         ->type_name("FILE")
+                         ->needs(figure)
+                         ->excludes(shard);
+  for (const char* const of_a_new_map :
+       {"CASE", "--set", "--hz", "--amplitude", "--x", "--y", "--method", "--duration", "--states-only",
+        "--quantity", "--transient", "--tolerance", "--dry-run", "--output"})
+    from->excludes(command.get_option(of_a_new_map));
 }
 
 void add_motion_options(CLI::App& command, MapOptions& options) {
@@ -133,9 +152,7 @@ void add_motion_options(CLI::App& command, MapOptions& options) {
 void add_output_options(CLI::App& command, MapOptions& options) {
   command.add_flag("--dry-run", options.dry_run,
                    "Write no map, but time some evaluations and print what the map will take");
-  add_file_option(command, "--output", options.output,
-                  "CSV file, '-' for standard output; what is finished of a long map is kept in "
-                  "FILE.partial, from which the same command goes on");
+  add_file_option(command, "--output", options.output, "CSV file, '-' for standard output");
   add_figure_option(command, options.figure);
 }
 
@@ -158,18 +175,16 @@ void add_options(CLI::App& command, MapOptions& options) {
                    "Leave out the force ratio: only whether each cell sticks or slips");
   add_motion_options(command, options);
   add_output_options(command, options);
-  add_shard_options(command, options);
   add_threads_option(command);
+  add_part_options(command, options);
 }
 
 Answer run(const MapOptions& options, Outputs& outputs) {
-  if (options.dry_run) return cost_of_map(map_task(options), options.shard.value_or(MapPart()), outputs);
-  if (options.shard && options.output == "-")
-    throw data::InputError("--output is standard output, but --shard needs --output FILE");
-  const auto task = options.merge.empty() ? std::optional(map_task(options)) : std::nullopt;
+  if (!options.from.empty()) return drawn_map(options.from, options.figure, outputs);
+  const studies::MapTask task = map_task(options);
+  if (options.dry_run) return cost_of_map(task, outputs);
   outputs.open({{"--output", options.output}, {"--figure", options.figure}});
-  if (!task) return merged_map(options.merge, outputs);
-  return options.shard ? part_of_map(*task, *options.shard, outputs) : whole_map(*task, outputs);
+  return made_map(task, outputs);
 }
 
 }  // namespace

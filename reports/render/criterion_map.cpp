@@ -102,27 +102,20 @@ CsvTable table_of(const data::Case& problem, const studies::CriterionMap& map) {
   table.reserve(map.cells.size() * longest_usual_row);
 
   const std::vector<std::string> x = texts_of(map.x), y = texts_of(map.y);
-  auto cell = map.cells.begin();
-  for (const std::string& at_y : y) {
-    for (const std::string& at_x : x) {
-      table.add(at_x).add(at_y);
-      if (has_ratio) table.add(cell->force_ratio);
-      for (std::size_t q = 0; q < map.quantities.size(); ++q) add(table, *cell, q, map.tolerance);
-      table.add(studies::name_of(cell->state)).end_row();
-      ++cell;
-    }
-    table.end_grid_line();
+  std::size_t n = map.part.of(x.size() * y.size()).first;
+  for (const auto& cell : map.cells) {
+    table.add(x[n % x.size()]).add(y[n / x.size()]);
+    if (has_ratio) table.add(cell.force_ratio);
+    for (std::size_t q = 0; q < map.quantities.size(); ++q) add(table, cell, q, map.tolerance);
+    table.add(studies::name_of(cell.state)).end_row();
+    if (++n % x.size() == 0) table.end_grid_line();
   }
   return table;
 }
 
-FigureData figure_of(const data::Case& problem, const studies::CriterionMap& map) {
-  return {.tables = {{"map", table_of(problem, map)}}, .values = values_of(map)};
-}
-
-std::string draw(const CsvTable& table, const studies::CriterionMap& map, const Look& look) {
+std::string draw(const std::string& table, const studies::CriterionMap& map, const Look& look) {
   return drawing_of("map", look,
-                    {{"map.csv", table.text()}, {"map-values.csv", values_table(values_of(map)).text()}});
+                    {{"map.csv", table}, {"map-values.csv", values_table(values_of(map)).text()}});
 }
 
 std::string draw(const data::Case& problem, const studies::CriticalAmplitudeCurve& curve, const Look& look) {

@@ -17,15 +17,13 @@ namespace stickslip::report {
 /// The column of a key that may be an axis, as CsvTable takes it.
 [[nodiscard]] std::string column_of(std::string_view parameter);
 
-/// One row per cell, with a force ratio only where there is a stick state; an empty line after each y. A
+/// One row per cell, with a force ratio only where there is a stick state; an empty line where a y ends. A
 /// quantity has a column with its value, where that has converged, and one with its change.
 [[nodiscard]] CsvTable table_of(const data::Case& problem, const studies::CriterionMap& map);
 
-/// The table and the values of figures/map.gp.
-[[nodiscard]] FigureData figure_of(const data::Case& problem, const studies::CriterionMap& map);
-
-/// The map drawn by gnuplot (figures/map.gp) from its table, as the bytes of a file. Throws std::runtime_error if gnuplot is missing or fails.
-[[nodiscard]] std::string draw(const CsvTable& table, const studies::CriterionMap& map, const Look& look);
+/// The map drawn by gnuplot (figures/map.gp) from the text of its table, as the bytes of a file. Throws std::runtime_error if gnuplot is
+/// missing or fails.
+[[nodiscard]] std::string draw(const std::string& table, const studies::CriterionMap& map, const Look& look);
 
 /// The critical amplitude over the frequency, drawn by gnuplot (figures/criterion.gp), as draw() of a map.
 [[nodiscard]] std::string draw(const data::Case& problem, const studies::CriticalAmplitudeCurve& curve,

@@ -23,6 +23,7 @@ CsvTable::CsvTable(std::string_view title, std::string_view columns) {
     begin = end + 2;
   }
   text_ = fmt::format("# {}\n# units: {}\n{}\n", title, units, names);
+  rows_begin_ = text_.size();
 }
 
 void CsvTable::add_row(const std::vector<std::string>& cells) {

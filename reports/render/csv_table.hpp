@@ -32,11 +32,13 @@ class CsvTable {
   void end_grid_line() { text_ += '\n'; }
 
   [[nodiscard]] const std::string& text() const noexcept { return text_; }
+  /// Without comments and names of the columns.
+  [[nodiscard]] std::string_view rows() const { return std::string_view(text_).substr(rows_begin_); }
 
  private:
   void require_columns(std::size_t cells) const;
 
-  std::size_t columns_{};
+  std::size_t columns_{}, rows_begin_{};
   std::size_t cells_{};  // in the row that has not ended
   std::string text_;
 };

@@ -75,12 +75,6 @@ void Progress::operator()(double share) {
   if (now - shown_ >= (is_bar ? Clock::duration(between_bars) : Clock::duration(between_lines))) show(now);
 }
 
-void Progress::start_at(double share) {
-  const std::lock_guard lock(guard_);
-  start_ = share_ = share;
-  begin_ = surroundings_.now();
-}
-
 void Progress::stage(std::string_view what) {
   const std::lock_guard lock(guard_);
   stage_ = what;
@@ -123,9 +117,9 @@ std::string Progress::line(Clock::time_point now) const {
 
 // Rate and time left, once there is something to go by.
 std::string Progress::pace(Clock::time_point now, std::string_view separator) const {
-  const double seconds = std::chrono::duration<double>(now - begin_).count(), done = share_ - start_;
-  if (seconds <= 0.0 || done <= 0.0) return "";
-  const double rate = done / seconds;
+  const double seconds = std::chrono::duration<double>(now - begin_).count();
+  if (seconds <= 0.0 || share_ <= 0.0) return "";
+  const double rate = share_ / seconds;
   const std::string speed = items_ > 0 ? fmt::format("{:.3g}/s", rate * static_cast<double>(items_))
                                        : fmt::format("{:.2g} %/s", 100.0 * rate);
   return fmt::format("{0}{1}{0}{2} left", separator, speed, time_text((1.0 - share_) / rate));

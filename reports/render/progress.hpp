@@ -42,9 +42,8 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// The share done, 0 ... 1; what was done before (`start_at`) does not count for the rate.
+  /// The share done, 0 ... 1.
   void operator()(double share);
-  void start_at(double share);
 
   /// What is being done now.
   void stage(std::string_view what);
@@ -65,7 +64,7 @@ class Progress {
   std::size_t items_;
   mutable std::mutex guard_;
   Clock::time_point begin_, shown_;
-  double start_{}, share_{};
+  double share_{};
   std::string stage_;
   bool on_screen_{};
 };

@@ -275,12 +275,7 @@ BENCHMARK_CAPTURE(force_maximum, search, false)->Arg(10)->Arg(40)->Unit(benchmar
 // ---- maps
 
 void map_of(benchmark::State& state, const studies::MapTask& task) {
-  const auto numbers = studies::share_of(studies::evaluation_count(task), 1, 1);
-  for (auto _ : state) {
-    studies::MapEvaluations evaluations(numbers.size());
-    studies::evaluate(task, numbers, evaluations);
-    benchmark::DoNotOptimize(studies::criterion_map(task, evaluations).cells.data());
-  }
+  for (auto _ : state) benchmark::DoNotOptimize(studies::criterion_map(task).cells.data());
 }
 
 // Figs. 10 to 12 as a map of a million cells.

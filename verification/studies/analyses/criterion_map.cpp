@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "studies/analyses/criterion_map.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -55,6 +53,13 @@ data::Case case_at(const MapTask& task, std::size_t i, std::size_t j) {
   return with_value(with_value(task.problem, task.x.parameter, task.x.values[i]), task.y.parameter,
                     task.y.values[j]);
 }
+
+// The result of one evaluation of the force, for all cells that share it.
+struct MapEvaluation {
+  std::optional<analytic::Bounds> unit_force;  // |f_max| per unit of the stated amplitude
+  CellState state{};                           // of the single cell, if the force is not computed
+  std::vector<ResponseValue> response{};       // of the quantities
+};
 
 // |f_max| at the points of one map. The modes do not depend on which points are evaluated.
 class Forces {
@@ -156,24 +161,92 @@ void complete(CriterionMap::Cell& cell, const MapEvaluation& evaluation, const F
     cell.state = Verdict::stick_slip;
 }
 
+// Numbers the evaluations of a map; cells along an axis that needs one evaluation alone share it.
+struct EvaluationGrid {
+  explicit EvaluationGrid(const MapTask& task)
+      : cells_along_x(task.x.values.size()),
+        columns(evaluations_along(task, task.x)),
+        rows(evaluations_along(task, task.y)) {}
+
+  [[nodiscard]] std::size_t number(std::size_t cell) const {
+    return (columns > 1 ? cell % cells_along_x : 0) + columns * (rows > 1 ? cell / cells_along_x : 0);
+  }
+
+  // Those that the cells of the part need, in ascending order.
+  [[nodiscard]] std::vector<std::size_t> numbers(const MapTask& task) const {
+    const auto [first, last] = task.part.of(cells_along_x * task.y.values.size());
+    std::vector<bool> is_needed(columns * rows);
+    for (std::size_t cell = first; cell < last; ++cell) is_needed[number(cell)] = true;
+    std::vector<std::size_t> needed;
+    for (std::size_t n = 0; n < is_needed.size(); ++n)
+      if (is_needed[n]) needed.push_back(n);
+    return needed;
+  }
+
+  std::size_t cells_along_x, columns, rows;
+};
+
+// These evaluations, each at its number, on thread_count() threads.
+std::vector<MapEvaluation> evaluations_of(const MapTask& task, const std::vector<std::size_t>& numbers,
+                                          const std::function<void(double)>& progress = {}) {
+  const EvaluationGrid grid(task);
+  const bool may_be_buckled = varies_beam(task);
+  const bool decide_only = task.states_only && !either(task, &data::KeyEffects::is_a_factor);
+  std::optional<Forces> forces;
+  std::optional<Responses> responses;
+  if (task.quantities.empty())
+    forces.emplace(task);
+  else
+    responses.emplace(task);
+  const auto evaluation_at = [&](std::size_t number) -> MapEvaluation {
+    const data::Case point = case_at(task, number % grid.columns, number / grid.columns);
+    if (may_be_buckled && analytic::is_buckled(point)) return {.unit_force = {}, .state = std::nullopt};
+    analytic::require_contact(point.beam());
+    if (responses) return responses->at(point);
+    if (decide_only)
+      return {.unit_force = {}, .state = forces->slips(point) ? Verdict::stick_slip : Verdict::stick};
+    return {.unit_force = forces->unit_force(point), .state = Verdict::stick};
+  };
+  std::vector<MapEvaluation> evaluations(grid.columns * grid.rows);
+  in_parallel(
+      numbers.size(), [&](std::size_t i) { evaluations[numbers[i]] = evaluation_at(numbers[i]); }, progress);
+  return evaluations;
+}
+
+void require_axes(const MapTask& task) {
+  const data::Case& problem = task.problem;
+  const MapAxis &x = task.x, &y = task.y;
+  if (data::state_the_same(x.parameter, y.parameter))
+    throw data::InputError("both axes of the map are " + std::string(x.parameter) +
+                           ", but must be two parameters");
+  for (const double value : x.values) (void)with_value(problem, x.parameter, value);
+  for (const double value : y.values) (void)with_value(problem, y.parameter, value);
+  if (task.quantities.empty())
+    require_friction(case_at(task, 0, 0));
+  else  // the lowest frequency has the longest period
+    (void)response_grid(case_at(task, 0, 0), task.transient);
+}
+
 struct Seconds {
   double processor{}, wall{};
 };
 
-Seconds seconds_for(const MapTask& task, std::span<const std::size_t> numbers, unsigned threads) {
+Seconds seconds_for(const MapTask& task, const std::vector<std::size_t>& numbers, unsigned threads) {
   const ThreadsForNow threads_for_now(threads);
-  MapEvaluations evaluations(evaluation_count(task));
   const auto start = std::chrono::steady_clock::now();
   const std::clock_t processor = std::clock();
-  evaluate(task, numbers, evaluations);
+  (void)evaluations_of(task, numbers);
   return {static_cast<double>(std::clock() - processor) / CLOCKS_PER_SEC,
           std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()};
 }
 
-std::vector<std::size_t> sample_of(std::span<const std::size_t> numbers, std::size_t count) {
+// Multiples of the golden ratio, modulo 1, are evenly distributed along both axes for any number of them.
+std::vector<std::size_t> sample_of(const std::vector<std::size_t>& numbers, std::size_t count) {
+  if (count == numbers.size()) return numbers;
   std::vector<std::size_t> sample;
-  for (const std::size_t index : share_of(numbers.size(), 1, numbers.size() / count))
-    sample.push_back(numbers[index]);
+  for (std::size_t i = 0; i < count; ++i)
+    sample.push_back(numbers[static_cast<std::size_t>(
+        std::fmod(static_cast<double>(i) * std::numbers::phi, 1.0) * static_cast<double>(numbers.size()))]);
   return sample;
 }
 
@@ -190,100 +263,35 @@ MapAxis map_axis(std::string_view parameter, double from, double to, int count, 
 }
 
 std::size_t evaluation_count(const MapTask& task) {
-  const data::Case& problem = task.problem;
-  const MapAxis &x = task.x, &y = task.y;
-  if (data::state_the_same(x.parameter, y.parameter))
-    throw data::InputError("both axes of the map are " + std::string(x.parameter) +
-                           ", but must be two parameters");
-  for (const double value : x.values) (void)with_value(problem, x.parameter, value);
-  for (const double value : y.values) (void)with_value(problem, y.parameter, value);
-  if (task.quantities.empty())
-    require_friction(case_at(task, 0, 0));
-  else  // the lowest frequency has the longest period
-    (void)response_grid(case_at(task, 0, 0), task.transient);
-  return evaluations_along(task, x) * evaluations_along(task, y);
+  require_axes(task);
+  return EvaluationGrid(task).numbers(task).size();
 }
 
-std::vector<std::size_t> share_of(std::size_t evaluations, std::size_t part, std::size_t parts) {
-  if (part < 1 || part > parts)
-    throw std::invalid_argument(
-        fmt::format("the part is {} of {}, but must be from 1 to the number of parts", part, parts));
-  std::vector<std::size_t> share;
-  for (std::size_t round = 0; round * parts < evaluations; ++round) {
-    // Multiples of the golden ratio, modulo 1, are evenly distributed for any number of rounds.
-    const double turn = std::fmod(static_cast<double>(round) * std::numbers::phi, 1.0);
-    const auto shift = static_cast<std::size_t>(turn * static_cast<double>(parts));
-    const std::size_t number = round * parts + (part - 1 + shift) % parts;
-    if (number < evaluations) share.push_back(number);
-  }
-  return share;
-}
-
-void evaluate(const MapTask& task, std::span<const std::size_t> numbers, MapEvaluations& evaluations,
-              const std::function<void(std::span<const std::size_t>)>& settled) {
-  const std::size_t columns = evaluations_along(task, task.x);
-  if (evaluations.size() != evaluation_count(task))
-    throw std::invalid_argument(
-        fmt::format("the vector of evaluations has the size {}, but must have the size {}",
-                    evaluations.size(), evaluation_count(task)));
-  const bool may_be_buckled = varies_beam(task);
-  const bool decide_only = task.states_only && !either(task, &data::KeyEffects::is_a_factor);
-  std::optional<Forces> forces;
-  std::optional<Responses> responses;
-  if (task.quantities.empty())
-    forces.emplace(task);
-  else
-    responses.emplace(task);
-  const auto evaluation_at = [&](std::size_t number) -> MapEvaluation {
-    const data::Case point = case_at(task, number % columns, number / columns);
-    if (may_be_buckled && analytic::is_buckled(point)) return {.unit_force = {}, .state = std::nullopt};
-    analytic::require_contact(point.beam());
-    if (responses) return responses->at(point);
-    if (decide_only)
-      return {.unit_force = {}, .state = forces->slips(point) ? Verdict::stick_slip : Verdict::stick};
-    return {.unit_force = forces->unit_force(point), .state = Verdict::stick};
-  };
-  in_parallel_settling(
-      numbers.size(), [&](std::size_t i) { evaluations[numbers[i]] = evaluation_at(numbers[i]); },
-      [&](std::size_t first, std::size_t last) {
-        if (settled) settled(numbers.subspan(first, last - first));
-      });
-}
-
-CriterionMap criterion_map(const MapTask& task, const MapEvaluations& evaluations) {
-  const MapAxis &x = task.x, &y = task.y;
-  const std::size_t columns = evaluations_along(task, x), rows = evaluations_along(task, y);
-  if (evaluations.size() != columns * rows ||
-      !std::ranges::all_of(evaluations, &MapEvaluations::value_type::has_value))
-    throw std::invalid_argument("evaluations of the map are missing");
-  CriterionMap map{.x = x,
-                   .y = y,
+CriterionMap criterion_map(const MapTask& task, const std::function<void(double)>& progress) {
+  require_axes(task);
+  const EvaluationGrid grid(task);
+  const std::vector<MapEvaluation> evaluations = evaluations_of(task, grid.numbers(task), progress);
+  CriterionMap map{.x = task.x,
+                   .y = task.y,
                    .states_only = task.states_only,
                    .quantities = task.quantities,
                    .tolerance = task.tolerance,
+                   .part = task.part,
                    .cells = {}};
-  map.cells.resize(x.values.size() * y.values.size());
+  const auto [first, last] = task.part.of(task.x.values.size() * task.y.values.size());
+  map.cells.resize(last - first);
   Factors factors{.amplitude = task.problem.excitation().motion().amplitude,
                   .static_coefficient = task.problem.contact.friction.static_coefficient(),
                   .axial_force = task.problem.beam().axial_force()};
-  auto cell = map.cells.begin();
-  for (std::size_t j = 0; j < y.values.size(); ++j) {
-    factors.set(y.parameter, y.values[j]);
-    for (std::size_t i = 0; i < x.values.size(); ++i, ++cell) {
-      factors.set(x.parameter, x.values[i]);
-      cell->x = x.values[i];
-      cell->y = y.values[j];
-      complete(*cell, *evaluations[(columns > 1 ? i : 0) + columns * (rows > 1 ? j : 0)], factors,
-               task.states_only);
-    }
+  for (std::size_t n = first; n < last; ++n) {
+    CriterionMap::Cell& cell = map.cells[n - first];
+    cell.x = task.x.values[n % grid.cells_along_x];
+    cell.y = task.y.values[n / grid.cells_along_x];
+    factors.set(task.x.parameter, cell.x);
+    factors.set(task.y.parameter, cell.y);
+    complete(cell, evaluations[grid.number(n)], factors, task.states_only);
   }
   return map;
-}
-
-CriterionMap criterion_map(const MapTask& task) {
-  MapEvaluations evaluations(evaluation_count(task));
-  evaluate(task, share_of(evaluations.size(), 1, 1), evaluations);
-  return criterion_map(task, evaluations);
 }
 
 std::vector<Warning> map_warnings(const MapTask& task) {
@@ -299,7 +307,10 @@ std::vector<Warning> map_warnings(const MapTask& task) {
   return warnings;
 }
 
-MapEstimate map_estimate(const MapTask& task, std::span<const std::size_t> numbers) {
+MapEstimate map_estimate(const MapTask& task) {
+  require_axes(task);
+  const std::vector<std::size_t> numbers = EvaluationGrid(task).numbers(task);
+  if (numbers.empty()) throw std::invalid_argument("this part of the map has no cell");
   constexpr double enough = 0.5, least = 1e-6;  // s
   const Seconds preparation = seconds_for(task, {}, 1);
   MapEstimate estimate{.evaluations = numbers.size(), .threads = thread_count(), .speedup = 1.0};

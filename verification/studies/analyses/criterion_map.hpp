@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
-#include <span>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "stickslip/analytic/criterion.hpp"
@@ -30,6 +30,16 @@ struct MapAxis {
   bool logarithmic{};          ///< in equal ratios; otherwise in equal steps
 };
 
+/// Part `part` of `parts` of a sequence: so many elements one after another. The parts in their order make the whole.
+struct MapPart {
+  std::size_t part{1}, parts{1};
+
+  /// Its first element and the one behind its last, of `count` in all.
+  [[nodiscard]] std::pair<std::size_t, std::size_t> of(std::size_t count) const {
+    return {count * (part - 1) / parts, count * part / parts};
+  }
+};
+
 /// The criterion of Eqs. (29), (30) over two parameters of a case.
 struct CriterionMap {
   struct Cell {
@@ -44,7 +54,8 @@ struct CriterionMap {
   bool states_only{};
   std::vector<const MotionQuantity*> quantities;
   double tolerance{};
-  std::vector<Cell> cells;  ///< x varies fastest
+  MapPart part;
+  std::vector<Cell> cells;  ///< of the part; x varies fastest
 };
 STICKSLIP_MEMBERS(CriterionMap::Cell, (x), (y), (force_ratio, "1"), (state, "-"))
 STICKSLIP_MEMBERS(CriterionMap, (cells))
@@ -60,50 +71,27 @@ struct MapTask {
   std::vector<const MotionQuantity*> quantities{};
   double transient{};  ///< that the quantities leave out, s
   double tolerance{};  ///< the largest ResponseValue::change of a value that counts as converged
+  MapPart part{};      ///< of the cells
 };
-
-/// The result of one evaluation of the force, for all cells that share it.
-struct MapEvaluation {
-  std::optional<analytic::Bounds> unit_force;  ///< |f_max| per unit of the stated amplitude
-  CellState state{};                           ///< of the single cell, if the force is not computed
-  std::vector<ResponseValue> response{};       ///< of the quantities
-};
-
-/// The evaluations of a map by their number. An element is empty until its evaluation is done.
-using MapEvaluations = std::vector<std::optional<MapEvaluation>>;
 
 /// An axis of `count` values from `from` to `to`, in equal steps or, if `logarithmic`, in equal ratios. The
 /// first and the last value are exact.
 [[nodiscard]] MapAxis map_axis(std::string_view parameter, double from, double to, int count,
                                bool logarithmic);
 
-/// The number of evaluations that a map needs. |f_max| is proportional to the amplitude and does not depend
-/// on μ_s, so that an axis of either parameter needs no additional evaluation; a quantity of the motion has one
+/// The number of evaluations that a part needs. |f_max| is proportional to the amplitude and does not depend
+/// on μ_s, so that the cells along an axis of either parameter share one evaluation; a quantity of the motion has one
 /// for each cell. Throws what criterion_map() throws for axes that are not allowed.
 [[nodiscard]] std::size_t evaluation_count(const MapTask& task);
 
-/// The numbers, in ascending order, of the evaluations that belong to part `part` of `parts`. Each evaluation
-/// belongs to exactly one part. Of each `parts` successive evaluations every part gets one, at a position
-/// that changes from round to round, so that all parts have about the same cost. Throws std::invalid_argument
-/// unless 1 ≤ part ≤ parts.
-[[nodiscard]] std::vector<std::size_t> share_of(std::size_t evaluations, std::size_t part, std::size_t parts);
-
-/// Makes these evaluations on thread_count() threads and stores them in `evaluations`; the result does not
-/// depend on the number of threads. `evaluations` must have evaluation_count() elements. `settled`, if given,
-/// receives the numbers of the new evaluations, one call at a time; an exception that it throws ends the
-/// work. Throws what criterion_map() throws, and std::invalid_argument for a wrong size.
-void evaluate(const MapTask& task, std::span<const std::size_t> numbers, MapEvaluations& evaluations,
-              const std::function<void(std::span<const std::size_t>)>& settled = {});
-
-/// The map assembled from its evaluations. Throws std::invalid_argument if one is missing.
-[[nodiscard]] CriterionMap criterion_map(const MapTask& task, const MapEvaluations& evaluations);
-
-/// Makes all evaluations and assembles the map.
+/// Makes the cells of the part on thread_count() threads; they do not depend on the number of threads. `progress`, if given, receives
+/// the fraction of the evaluations that is done.
 ///
 /// Throws std::invalid_argument if both axes are the same parameter or μ_s is 0 somewhere, data::FieldError
 /// for a value that its field refuses, and data::InputError, naming beam.axial_force, if P ≤ 0 somewhere,
 /// or if the beam is buckled and neither axis is a number of it.
-[[nodiscard]] CriterionMap criterion_map(const MapTask& task);
+[[nodiscard]] CriterionMap criterion_map(const MapTask& task,
+                                         const std::function<void(double)>& progress = {});
 
 /// warnings_common_to() all cells, and few_modes_warning() of a closed form, coarse_mesh_warning() of finite elements, of the
 /// first corner that has it, the one with the highest values before the others.
@@ -120,8 +108,9 @@ struct MapEstimate {
   [[nodiscard]] double hours() const { return core_hours() / speedup; }
 };
 
-/// Times a sample of these evaluations, evenly distributed, on one thread and then on thread_count(). On one thread
-/// the sample takes half a second of processor time or more, unless it is all of them. Throws what evaluate() throws.
-[[nodiscard]] MapEstimate map_estimate(const MapTask& task, std::span<const std::size_t> numbers);
+/// Times a sample of the evaluations of the part, evenly distributed, on one thread and then on thread_count(). On one thread
+/// the sample takes half a second of processor time or more, unless it is all of them. Throws what criterion_map() throws, and
+/// std::invalid_argument for a part without a cell.
+[[nodiscard]] MapEstimate map_estimate(const MapTask& task);
 
 }  // namespace stickslip::studies

@@ -42,20 +42,19 @@ class ThreadsForNow {
   unsigned before_;
 };
 
-/// Calls work(0) ... work(count - 1) on `threads` threads, each index once. Calls settled(first, last) when the
-/// indices from `first` to before `last` are done: each index once, one call at a time, and at most 16 indices
-/// a call. The first exception of `work` or `settled` ends the work and is thrown again. `work` must not depend
+/// Calls work(0) ... work(count - 1) on `threads` threads, each index once, and reports the completed fraction of the work (0 to 1) to
+/// `progress`, one call at a time. The first exception of `work` or `progress` ends the work and is thrown again. `work` must not depend
 /// on the order of the calls.
 ///
 /// These are threads of the standard library and not tasks of oneTBB, because the thread sanitizer
 /// sees how these wait for each other. It reports false races in the tasks of a library that was built without
 /// it.
-inline void in_parallel_settling(std::size_t count, const std::function<void(std::size_t)>& work,
-                                 const std::function<void(std::size_t, std::size_t)>& settled,
-                                 unsigned threads = thread_count()) {
+inline void in_parallel(std::size_t count, const std::function<void(std::size_t)>& work,
+                        const std::function<void(double)>& progress = {}, unsigned threads = thread_count()) {
   // A 64th of a thread's share evens out items of unequal cost; 16 cheap ones pay for the lock.
   const std::size_t block = std::clamp<std::size_t>(count / (std::size_t{64} * threads), 1, 16);
   std::atomic<std::size_t> next{0};
+  std::size_t done = 0;
   std::mutex guard;
   std::exception_ptr failure;
 
@@ -65,7 +64,8 @@ inline void in_parallel_settling(std::size_t count, const std::function<void(std
         const std::size_t last = std::min(first + block, count);
         for (std::size_t index = first; index < last; ++index) work(index);
         const std::lock_guard lock(guard);
-        if (!failure) settled(first, last);
+        done += last - first;
+        if (progress && !failure) progress(static_cast<double>(done) / static_cast<double>(count));
       }
     } catch (...) {
       next = count;
@@ -83,19 +83,6 @@ inline void in_parallel_settling(std::size_t count, const std::function<void(std
     take_turns();
   }
   if (failure) std::rethrow_exception(failure);
-}
-
-/// The same, but only reports the completed fraction of the work (0 to 1) to `progress`.
-inline void in_parallel(std::size_t count, const std::function<void(std::size_t)>& work,
-                        const std::function<void(double)>& progress = {}, unsigned threads = thread_count()) {
-  std::size_t done = 0;
-  in_parallel_settling(
-      count, work,
-      [&](std::size_t first, std::size_t last) {
-        done += last - first;
-        if (progress) progress(static_cast<double>(done) / static_cast<double>(count));
-      },
-      threads);
 }
 
 }  // namespace stickslip::studies

@@ -787,7 +787,7 @@ class OptionInput : public Drawing {
     if (defect != "100 MB") return {""};
     std::vector<std::string> large{std::string(100'000, '9')};  // also as a number
     const bool is_read = item.ends_with(" CASE") || item == "compare FILE" || item == "compare --events" ||
-                         item == "map --merge";
+                         item == "map --from";
     if (is_read) large.push_back("large/datapackage.json");
     if (item.ends_with(" --package") || item == "report --tests") large.push_back("large");
     return large;
@@ -802,7 +802,7 @@ class OptionInput : public Drawing {
     for (const auto& [name, usual] : command.arguments) {
       if (name == option.name) good = usual;
       if (name == option.name && name != "--set") continue;
-      if (option.name == "--merge" && name != "--output") continue;  // what it excludes
+      if (option.name == "--from") continue;  // what it excludes
       if (option.name == "--tests" && name == "--only") continue;
       if (name.starts_with('-')) words.push_back(name);
       words.push_back(usual);
@@ -813,6 +813,7 @@ class OptionInput : public Drawing {
     const auto append = [&](const std::vector<std::string>& more) {
       words.insert(is_before_subcommand ? words.begin() : words.end(), more.begin(), more.end());
     };
+    if (option.name == "--from") append({"--figure", "out.svg"});
     const auto give = [&](const std::string& name, const std::string& text) {
       if (is_positional)
         words.insert(option.name == "FILE" && !words.empty() ? words.begin() + 1 : words.begin(), text);
@@ -1027,19 +1028,17 @@ class InputFile : public OptionInput {};
 
 // By whatever name: another spelling, a symbolic link, a hard link.
 TEST_F(InputFile, IsNoOutputOfTheSameCommand) {
-  ASSERT_EQ(run_line("map --x length=1.9:2:2 --y force=400:500:2 --shard 1/1 --output shard").status, 0);
   const std::string results = "beam,mode,frequency\npaper,1,25\n";
   std::vector<std::pair<Words, std::string>> runs{
       {{"criterion", "INPUT", "--output", "out.csv"}, contents(data::find_case("paper"))},
       {{"criterion", "paper", "--plan", "INPUT", "--output", "out.csv"}, "beam.length\n1\n2\n"},
       {{"compare", "stick-frequencies", "INPUT", "--json", "out.csv"}, results},
-      {{"compare", "stick-frequencies", "INPUT", "--junit", "out.csv"}, results},
-      {{"map", "--merge", "INPUT", "--output", "out.csv"}, contents("shard")}};
+      {{"compare", "stick-frequencies", "INPUT", "--junit", "out.csv"}, results}};
   for (const Command& command : commands())
     if (const Words words = usual(command, "INPUT");
         std::ranges::count(words, "INPUT") + std::ranges::count(words, "out.csv") == 2)
       runs.emplace_back(words, contents(data::find_case(command.arguments.front().second)));
-  EXPECT_EQ(runs.size(), 5u + 4u);  // respond, map, sweep, squeal
+  EXPECT_EQ(runs.size(), 4u + 4u);  // respond, map, sweep, squeal
   for (auto& [words, text] : runs) {
     std::ofstream("out.csv", std::ios::binary) << text;
     fs::create_symlink("out.csv", "link.csv"), fs::create_hard_link("out.csv", "hard.csv");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Maps made in parts, by several threads, shards and runs: always the same bytes.
+/// Maps made by several threads and in parts, which are the same bytes when joined, and drawn.
 
 #include "support/signalled_run.hpp"
 #include "support/testing.hpp"
@@ -9,10 +9,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class MapShards : public KilledRun {
+class MapShards : public SignalledRun {
  protected:
   static inline const std::string closed_form =
       "map paper-figure14 --duration 0.5 --x length=0.8:3:5 --y force=200:800:3 ";
+  static inline const std::string ratios =
+      "map paper-figure14 --duration 0.5 --x length=0.8:3:5:log --y force=200:800:6 ";
   static inline const std::string finite_elements =
       "map paper-figure14 --duration 0.1 --method fe --x frequency=10:50:3 --y friction=0.3:0.6:4 ";
   static inline const std::string motion =
@@ -27,25 +29,13 @@ class MapShards : public KilledRun {
     return contents(name);
   }
 
-  void make_shards(const std::string& map, int parts) const {
-    for (int part = 1; part <= parts; ++part)
-      (void)made(map + shard(part, parts), "shard-" + std::to_string(part));
-  }
-
   [[nodiscard]] static std::string shard(int part, int parts) {
-    return "--shard " + std::to_string(part) + "/" + std::to_string(parts) + " ";
+    return fmt::format("--shard {}/{} ", part, parts);
   }
 
-  // The last one first.
-  [[nodiscard]] static std::string merge(int parts) {
-    std::string arguments = "map --merge ";
-    for (int part = parts; part >= 1; --part) arguments += "shard-" + std::to_string(part) + " ";
-    return arguments;
-  }
-
-  // Those behind the description and the names of the columns.
-  [[nodiscard]] static std::ptrdiff_t rows_of(const std::string& name) {
-    return std::ranges::count(contents(name), '\n') - 2;
+  void join(std::vector<int> parts, const std::string& name) const {
+    std::ofstream joined(name);
+    for (const int part : parts) joined << contents("shard-" + std::to_string(part));
   }
 };
 
@@ -58,162 +48,75 @@ TEST_F(MapShards, AreTheSameMapOnAnyNumberOfThreads) {
   }
 }
 
-TEST_F(MapShards, MergeToTheBytesOfTheWholeMap) {
+TEST_F(MapShards, JoinToTheBytesOfTheWholeMap) {
   for (const std::string& map : {closed_form, finite_elements, closed_form + "--set friction.decay=inf ",
                                  motion, closed_form + "--states-only "}) {
     const std::string whole = made(map, "whole.csv");
-    for (const int parts : {1, 3, 7}) {  // the second map has three evaluations
-      make_shards(map, parts);
-      EXPECT_EQ(made(merge(parts), "merged.csv"), whole) << parts;
+    for (const int parts : {1, 3, 7, 20}) {  // the maps have 15, 12 and 6 cells
+      std::string joined;
+      for (int part = 1; part <= parts; ++part) joined += made(map + shard(part, parts), "shard");
+      EXPECT_EQ(joined, whole) << parts;
     }
   }
 }
 
-TEST_F(MapShards, AreCompleteAfterAKillWhereverItCame) {
-  kill(closed_form + "--threads 1 " + output("out/map.csv"), {"map.csv"});
-  kill(closed_form + shard(2, 3) + "--threads 1 " + output("out/shard"), {"shard"}, 2);
-}
-
-// Killed before its tenth change each time, a run keeps some evaluations more.
-TEST_F(MapShards, GoOnFromWhatKilledRunsHaveKept) {
-  const std::string whole = made(closed_form, "whole.csv"), command = closed_form + output("map.csv");
-  for (const std::ptrdiff_t rows : {3, 6}) {
-    EXPECT_EQ(killed_before(10, command + "--threads 1"), 128 + SIGKILL);
-    EXPECT_GE(rows_of("map.csv.partial"), rows);
+// With an axis in equal ratios, quantities and states alone; in any order behind the first.
+TEST_F(MapShards, AreDrawnAsTheWholeMap) {
+  install_gnuplot("cat \"${folder}map.csv\" \"${folder}map-values.csv\" > $output\n");
+  for (const std::string& map : {closed_form, ratios, motion, closed_form + "--states-only "}) {
+    const auto whole = json(map + "--output whole.csv --figure whole.svg");
+    for (int part = 1; part <= 3; ++part) (void)made(map + shard(part, 3), fmt::format("shard-{}", part));
+    for (const auto& order : {std::vector{1, 2, 3}, {1, 3, 2}}) {
+      join(order, "joined.csv");
+      const auto drawn = json("map --from joined.csv --figure joined.svg");
+      for (const std::string member : {"cells", "states", "converged"})
+        EXPECT_EQ(drawn.value(member, nlohmann::json()), whole.value(member, nlohmann::json())) << map;
+      EXPECT_EQ(csv(contents("joined.svg")), csv(contents("whole.svg"))) << map;
+    }
   }
-  const auto kept = rows_of("map.csv.partial");
-  EXPECT_EQ(
-      run(command).errors,
-      fmt::format("stickslip map: going on from map.csv.partial, which holds {} of 15 evaluations\n", kept));
-  EXPECT_EQ(contents("map.csv"), whole);
-  EXPECT_FALSE(fs::exists("map.csv.partial"));
 }
 
-TEST_F(MapShards, SayAfterCtrlCHowMuchIsKept) {
-  std::ofstream("map.csv") << "old";
-  const auto ended = on_terminal(
-      "map damped --method fe --duration 0.5 --threads 1 --x frequency=10:50:9 --y length=1:2:10 " +
-          output("map.csv") + "--figure map.png",
-      "[#");
-  if (!ended) GTEST_SKIP() << "the system gives no pseudo-terminal";
-  EXPECT_EQ(ended->status, 128 + SIGINT);
-  EXPECT_TRUE(
-      ended->output.ends_with(fmt::format("\r\033[Kstickslip: interrupted; {} of 90 evaluations are kept in "
-                                          "map.csv.partial, from which the same command goes on\r\n",
-                                          rows_of("map.csv.partial"))))
-      << ended->output;
-  EXPECT_EQ(all_files("."), (std::vector<std::string>{"map.csv", "map.csv.partial"}));
-  EXPECT_EQ(contents("map.csv"), "old");
-}
-
-TEST_F(MapShards, AreNotMadeAgainWhereTheyAreComplete) {
-  const std::string part = closed_form + shard(2, 4) + output("shard");
-  const auto expect_answer = [&](bool is_complete_already) {
-    const auto answer = json(part);
-    EXPECT_EQ(answer["shard"], 2);
-    EXPECT_EQ(answer["shards"], 4);
-    EXPECT_EQ(answer["evaluations"], 4);
-    EXPECT_EQ(answer["complete_already"], is_complete_already);
-  };
-  expect_answer(false);
-  const auto written = fs::last_write_time("shard");
-  fs::copy("shard", "shard.partial");  // of a run that was killed when the shard was in place
-  expect_answer(true);
-  EXPECT_FALSE(fs::exists("shard.partial"));
-  EXPECT_TRUE(holds(run(part).output, "\nShard 2 of 4, 4 of 15 evaluations, is complete already in shard\n"));
-  EXPECT_EQ(fs::last_write_time("shard"), written);
-}
-
-// As a shard, which is then made again, or as what is kept of one, which looks the same: its whole rows count.
-TEST_F(MapShards, AreMadeAgainIfDamaged) {
-  const std::string part = closed_form + shard(1, 2), whole = made(part, "shard");
-  const std::size_t header = whole.find('\n', whole.find('\n') + 1) + 1;
-  std::vector<std::string> texts{whole + "x", whole.substr(0, header) + "x" + whole.substr(header),
-                                 std::string(whole).replace(whole.rfind(','), 1, ";")};
-  for (const std::size_t length : {std::size_t{0}, header / 2, header, header + 10, whole.size() - 1})
-    texts.push_back(whole.substr(0, length));
-  for (const std::string& text : texts) {
-    std::ofstream("shard") << text;
-    EXPECT_EQ(json(part + output("shard")).at("complete_already"), false);
-    EXPECT_EQ(contents("shard"), whole);
-    fs::remove("shard");
-    std::ofstream("shard.partial") << text;
-    EXPECT_EQ(made(part, "shard"), whole) << text.size();
+TEST_F(MapShards, ThatAreNoWholeMapAreNotDrawn) {
+  for (int part = 1; part <= 3; ++part) (void)made(ratios + shard(part, 3), fmt::format("shard-{}", part));
+  const std::string whole = "is a part missing or double?";
+  for (const auto& [parts, sentence] : std::vector<std::pair<std::vector<int>, std::string>>{
+           {{1, 3}, "beam.axial_force must have two or more values"},
+           {{2, 3}, "joined.csv"},
+           {{1, 2, 2, 3}, whole},
+           {{1, 1, 2, 3}, "joined.csv: line "},
+           {{}, "joined.csv: is empty"}}) {
+    join(parts, "joined.csv");
+    expect_refused("map --from joined.csv --figure map.svg", sentence);
   }
-  EXPECT_NE(made(closed_form + shard(2, 2), "shard"), whole);
-  EXPECT_EQ(made(part, "shard"), whole);
-}
-
-TEST_F(MapShards, DoNotGoOnFromOtherWork) {
-  const std::string half = made(closed_form + shard(1, 2), "shard"),
-                    of_motion = made(motion + shard(1, 2), "motion"), other = "something else\n";
-  const std::string of_the_case = "map paper-figure14 --y force=200:800:3 " + shard(1, 2);
-  for (const auto& [kept, arguments, reason] : std::vector<std::array<std::string, 3>>{
-           {half, closed_form + shard(2, 2),
-            "its part is 1, but must be 2; remove it or name another --output"},
-           {half, closed_form + shard(1, 3), "its parts is 2, but must be 3"},
-           {half, closed_form + shard(1, 2) + "--set beam.density=900 ",
-            "its beam.density is 1000.0, but must be 900.0"},
-           {half, of_the_case + "--x length=0.8:3:5 ", "its excitation.duration is 0.5, but must be 10.0"},
-           {half, of_the_case + "--duration 0.5 --x length=0.8:3:6 ",
-            "its x is \"length=0.8:3:5\", but must be \"length=0.8:3:6\""},
-           {half, closed_form + shard(1, 2) + "--states-only ", "its states_only is false, but must be true"},
-           {of_motion, motion + shard(1, 2) + "--tolerance 0.1 ", "its tolerance is 0.05, but must be 0.1"},
-           {other, closed_form + shard(1, 2), "it is no beginning of a map"}}) {
-    std::ofstream("shard.partial") << kept;
-    expect_refused(arguments + output("shard"), reason);
-    EXPECT_EQ(contents("shard.partial"), kept);
+  const std::string names = "length_m,axial_force_N,force_ratio,state\n";
+  for (const auto& [text, sentence] : std::vector<std::pair<std::string, std::string>>{
+           {"mode,frequency\n1,2\n", "is no map: its columns are mode, frequency"},
+           {"length_m,axial_force_N,work_J,state\n", "is no map: "},
+           {"length_m,mass,state\n1,2,stick\n", "is no map: "},
+           {names, "joined.csv: has no point"},
+           {names + "1,2,0.5,stuck\n", "line 2 is no point of a map"},
+           {names + "1,x,0.5,stick\n", "line 2 is no point of a map"},
+           {names + "1,1,2,stick\n2,1,2,stick\n1,2,2,stick\n", "the point 2, 2 must be there once"},
+           {names + "1,1,2,stick\n2,1,2,stick\n4,1,2,stick\n5,1,2,stick\n", "beam.length must have"}}) {
+    std::ofstream("joined.csv") << text;
+    expect_refused("map --from joined.csv --figure map.svg", sentence);
   }
-  // What goes to standard output is kept nowhere.
-  std::ofstream("-.partial") << other;
-  EXPECT_EQ(run(closed_form).status, 0);
-}
-
-TEST_F(MapShards, OfAnotherOrADamagedMapDoNotMerge) {
-  make_shards(closed_form, 3);
-  (void)made(closed_form + shard(7, 7), "shard-7");
-  for (const auto& [files, sentence] : std::vector<std::pair<std::string, std::string>>{
-           {"shard-1 shard-3", "shard 2 of 3 is missing beside shard-1"},
-           {"shard-2", "shard 1, 3 of 3 are missing"},
-           {"shard-3 shard-2 shard-1 shard-2", "shard-2 is shard 2 of 3, but so is shard-2"},
-           {"shard-7", "shard 1, 2, 3, 4, 5 and 1 more of 7 are missing beside shard-7"},
-           {"none", "--merge: none: cannot be opened for reading"},
-           {".", "--merge: .: is a folder"}})
-    expect_refused("map --merge " + files, sentence);
-
-  const std::string good = contents("shard-2");
-  const std::size_t last = good.rfind('\n', good.size() - 2) + 1;
-  const auto with = [&](const std::string& entry, const std::string& other) {
-    return std::string(good).replace(good.find(entry), entry.size(), other);
-  };
-  for (const auto& [text, why] : std::vector<std::pair<std::string, std::string>>{
-           {made(closed_form + "--hz 20 " + shard(2, 3), "other"),
-            "is a shard of another map: its excitation.frequency_hz is 20.0, but must be 25.0"},
-           {good.substr(0, good.size() - 1), "is damaged in line 7"},
-           {good + good.substr(last), "is damaged in line 8"},
-           {good.substr(0, last), "is not finished: it holds 4 of 5 evaluations"},
-           {"length_m\n", "is no shard of a map"},
-           {with(R"("part":2)", R"("part":0)"), "is shard 0 of 3, but must be one of 1 to 3\n"},
-           {with(R"("part":2)", R"("part":4)"), "is shard 4 of 3, but must be one of 1 to 3\n"},
-           {with(R"("part":2)", R"("part":"two")"), "is no shard of a map\n"},
-           {with(R"("program":"stickslip )", R"("program":"another )"), "was made by another "}}) {
-    std::ofstream("shard-2") << text;
-    expect_refused(merge(3), "shard-2 " + why);
-  }
-  std::ofstream("shard-2") << "";
-  expect_refused(merge(3), "--merge: shard-2: is empty");
-  fs::resize_file("shard-2", 500'000'001);
-  expect_refused(merge(3), "--merge: shard-2: is larger than the 500000000 bytes");
+  expect_refused("map --from none --figure map.svg", "none: cannot be opened for reading");
+  expect_refused("map --from joined.csv", "--figure");
+  expect_refused("map --from map.svg --figure map.svg", "map.svg");
 }
 
 TEST_F(MapShards, AreOneToAMillion) {
   for (const std::string part : {"0/3", "4/3", "1", "1/", "1/1000001"})
     expect_refused(closed_form + "--shard " + part + " " + output("shard"),
                    "--shard is '" + part + "', but must be K/M with integers 1 <= K <= M <= 1000000\n");
-  expect_refused(closed_form + shard(1, 2), "--shard needs --output FILE");
   EXPECT_EQ(all_files("."), (std::vector<std::string>{"stderr", "stdout"}));
-  EXPECT_TRUE(holds(run(closed_form + shard(1'000'000, 1'000'000) + output("shard")).output,
-                    "\nShard 1000000 of 1000000, 0 of 15 evaluations, written to shard\n"));
+  EXPECT_TRUE(holds(run(closed_form + shard(999'999, 1'000'000) + output("shard")).output,
+                    "\n0 cells written to shard: "));
+  const auto answer = json(closed_form + shard(2, 4) + output("shard"));
+  EXPECT_EQ(answer["shard"], 2);
+  EXPECT_EQ(answer["shards"], 4);
+  EXPECT_EQ(answer["cells"], 4);
 }
 
 }  // namespace

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 /// The criterion over any two parameters of a case, and over beam length and axial force, Fig. 14.
 
-#include <span>
-
+#include "studies/analyses/criterion_map.hpp"
 #include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
-#include "studies/analyses/criterion_map.hpp"
 #include "studies/analyses/length_force_map.hpp"
 #include "studies/common/discretisation.hpp"
 #include "studies/common/parallel.hpp"
@@ -158,7 +156,7 @@ TEST(CriterionMap, CostEstimateLeavesTheThreads) {
                               .method = &studies::finite_elements()};
   for (const unsigned count : {1u, 2u}) {
     const studies::ThreadsForNow threads(count);
-    const auto estimate = studies::map_estimate(task, studies::share_of(20, 1, 1));
+    const auto estimate = studies::map_estimate(task);
     EXPECT_EQ(studies::thread_count(), count);
     EXPECT_EQ(estimate.threads, count);
     EXPECT_EQ(estimate.evaluations, 20u);
@@ -200,59 +198,32 @@ TEST(CriterionMap, ByElementsIsThatOfPlainRuns) {
   }
 }
 
-TEST(CriterionMap, IsNotMergedBeforeItIsComplete) {
-  const studies::MapTask task{.problem = flat_case_of(0.1),
-                              .x = map_axis("excitation.frequency_hz", 5.0, 50.0, 4, false),
-                              .y = map_axis("excitation.amplitude", 0.0, 1e-3, 3, false)};
-  studies::MapEvaluations evaluations(studies::evaluation_count(task));
-  ASSERT_EQ(evaluations.size(), 4u);  // the amplitude costs nothing
-  const auto share = studies::share_of(4, 1, 2);
-  std::vector<std::size_t> settled;
-  studies::evaluate(task, share, evaluations, [&](std::span<const std::size_t> numbers) {
-    settled.insert(settled.end(), numbers.begin(), numbers.end());
-  });
-  std::ranges::sort(settled);
-  EXPECT_EQ(settled, share);
-  EXPECT_THROW((void)studies::criterion_map(task, evaluations), std::invalid_argument);
-  EXPECT_THROW((void)studies::criterion_map(task, studies::MapEvaluations(3, studies::MapEvaluation{})),
-               std::invalid_argument);
-  const studies::MapEvaluation infinite{.unit_force = analytic::Bounds{HUGE_VAL, HUGE_VAL}};
-  EXPECT_THROW((void)studies::criterion_map(task, studies::MapEvaluations(4, infinite)), data::InputError);
-  evaluations.pop_back();
-  EXPECT_THROW(studies::evaluate(task, studies::share_of(4, 1, 2), evaluations), std::invalid_argument);
-}
-
-STICKSLIP_VERIFIES(MapShare, "X7");
-TEST(MapShare, DealsEachEvaluationOnce) {
-  for (const std::size_t evaluations : {0u, 1u, 7u, 100u, 2500u})
-    for (const std::size_t parts : {1u, 2u, 3u, 7u, 100u}) {
-      std::vector<int> dealt(evaluations);
+// Cells along the amplitude or the friction share an evaluation.
+TEST(CriterionMap, OfAPartMakesItsCellsAlone) {
+  const auto hz = map_axis("excitation.frequency_hz", 5.0, 50.0, 4, false);
+  const auto amplitude = map_axis("excitation.amplitude", 0.0, 1e-3, 3, false);
+  for (const auto& [x, y] : {std::pair(hz, amplitude), {amplitude, hz}}) {
+    studies::MapTask task{.problem = flat_case_of(0.1), .x = x, .y = y};
+    EXPECT_EQ(studies::evaluation_count(task), 4u);
+    const auto whole = studies::criterion_map(task).cells;
+    for (const std::size_t parts : {1u, 2u, 5u, 30u}) {
+      std::size_t made = 0;
       for (std::size_t part = 1; part <= parts; ++part) {
-        const auto share = studies::share_of(evaluations, part, parts);
-        EXPECT_TRUE(std::ranges::is_sorted(share));
-        EXPECT_LE(share.size(), (evaluations + parts - 1) / parts);
-        EXPECT_GE(share.size(), evaluations / parts);
-        for (const std::size_t number : share) ++dealt.at(number);
+        task.part = {part, parts};
+        EXPECT_LE(studies::evaluation_count(task), (12 + parts - 1) / parts);
+        for (const auto& cell : studies::criterion_map(task).cells) {
+          ASSERT_LT(made, whole.size());
+          EXPECT_EQ(cell.x, whole[made].x);
+          EXPECT_EQ(cell.y, whole[made].y);
+          EXPECT_EQ(cell.force_ratio, whole[made++].force_ratio);
+        }
       }
-      EXPECT_EQ(dealt, std::vector<int>(evaluations, 1)) << evaluations << " in " << parts;
+      EXPECT_EQ(made, whole.size()) << parts;
     }
-  EXPECT_THROW((void)studies::share_of(10, 0, 3), std::invalid_argument);
-  EXPECT_THROW((void)studies::share_of(10, 4, 3), std::invalid_argument);
-}
-
-// The cost of an evaluation grows with its frequency, along x. With as many shards as columns each row holds
-// one evaluation of each shard, at places golden turns apart: of n of these the mean is off the centre of the
-// circle by their discrepancy, below (log2(n) + 1)/n.
-TEST(MapShare, CostsEachPartTheSame) {
-  constexpr std::size_t columns = 100, rows = 50;
-  for (std::size_t part = 1; part <= columns; ++part) {
-    double mean = 0.0;
-    for (const std::size_t number : studies::share_of(columns * rows, part, columns))
-      mean += static_cast<double>(number % columns) + 0.5;
-    mean /= columns * rows;
-    EXPECT_TRUE(within(mean, 0.5, discretisation((std::log2(rows) + 1.0) / rows, 1.0, "discrepancy")))
-        << part;
   }
+  studies::MapTask none{.problem = flat_case_of(0.1), .x = hz, .y = amplitude, .part = {1, 30}};
+  EXPECT_EQ(studies::evaluation_count(none), 0u);
+  EXPECT_THROW((void)studies::map_estimate(none), std::invalid_argument);
 }
 
 TEST(CriterionMap, RefusesWhatHasNoCriterion) {

@@ -151,8 +151,7 @@ class KilledRun : public SignalledRun {
     for (int status = 0; (status = run_from_nothing(n)) != 0; n += stride) {
       ASSERT_EQ(status, 128 + SIGKILL) << n;
       for (const auto& [name, text] : contents_of("out")) {
-        const bool is_unfinished =
-            name.starts_with('.') || name.find("/.") != std::string::npos || name.ends_with(".partial");
+        const bool is_unfinished = name.starts_with('.') || name.find("/.") != std::string::npos;
         ASSERT_TRUE(is_unfinished || (undisturbed.contains(name) && undisturbed.at(name) == text))
             << name << n;
       }
