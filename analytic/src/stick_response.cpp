@@ -79,48 +79,6 @@ std::int64_t interval_count(double duration, double step) {
 /// A0 times an amplitude per unit A0, which may be infinite at resonance; A0 = 0 moves nothing even there.
 double scaled_by(double amplitude, double per_unit) { return amplitude == 0.0 ? 0.0 : amplitude * per_unit; }
 
-/// Bounds of the maximum of |f| over 0 ... duration, from a number of equal intervals that are halved; `curvature`
-/// bounds |f''|.
-template <class Magnitude>
-Bounds maximum_by_halving(const Magnitude& magnitude, double duration, double curvature,
-                          std::int64_t intervals, double relative_width) {
-  struct Segment {
-    std::int64_t index;  // of `intervals` equal ones
-    double left, right;  // |f| at its ends
-  };
-  std::vector<Segment> segments;
-  double lower = 0.0;
-  // What |f| can exceed the larger end value by.
-  const auto excess = [&] {
-    const double h = duration / static_cast<double>(intervals);
-    return curvature * h * h / 8.0;
-  };
-  const auto sample = [&](std::int64_t index) {
-    const double value = magnitude(duration * (static_cast<double>(index) / static_cast<double>(intervals)));
-    lower = std::max(lower, value);
-    return value;
-  };
-  const auto keep_if_promising = [&](const Segment& segment) {
-    if (std::max(segment.left, segment.right) + excess() > lower) segments.push_back(segment);
-  };
-  double left = sample(0);
-  for (std::int64_t i = 0; i < intervals; ++i) {
-    const double right = sample(i + 1);
-    keep_if_promising({i, left, right});
-    left = right;
-  }
-  while (excess() > relative_width * lower) {
-    if (segments.empty()) return {lower, lower};
-    intervals *= 2;
-    for (const Segment& parent : std::exchange(segments, {})) {
-      const double middle = sample(2 * parent.index + 1);
-      keep_if_promising({2 * parent.index, parent.left, middle});
-      keep_if_promising({2 * parent.index + 1, middle, parent.right});
-    }
-  }
-  return {lower, lower + excess()};
-}
-
 }  // namespace
 
 StickResponse::StickResponse(const data::Beam& beam, const data::HarmonicExcitation& excitation, int modes,
@@ -228,19 +186,6 @@ double StickResponse::curvature_bound(double duration) const {
 
 Bounds StickResponse::max_abs_friction_force(double duration, double relative_width) const {
   const Bounds per_unit = ForceMaximum(force_, omega_, duration).refined_to(relative_width);
-  return amplitude_ * per_unit;
-}
-
-Bounds StickResponse::max_abs_friction_force_by_halving(double duration, double relative_width) const {
-  require_positive("excitation.duration", duration);
-  require_relative_width(relative_width);
-  const double curvature = curvature_bound(duration);
-  // The first grid has a step of one over the mean frequency (root mean square, by amplitude).
-  double magnitude = std::abs(force_.quasi_static);
-  const auto magnitude_at = [&](double t) { return std::abs(evaluate(force_, t)); };
-  for (int i = 1; i <= 64; ++i) magnitude = std::max(magnitude, magnitude_at(duration * i / 64.0));
-  const std::int64_t intervals = interval_count(duration, std::sqrt(magnitude / curvature));
-  const Bounds per_unit = maximum_by_halving(magnitude_at, duration, curvature, intervals, relative_width);
   return amplitude_ * per_unit;
 }
 

@@ -408,14 +408,14 @@ def speed_of(run, comparisons):
     >>> run = {"context": {"processor": "P"}, "benchmarks": [
     ...     timed("plain", 30.0), timed("plain", 20.0), timed("fast", 4.0),
     ...     timed("elements/20", 100.0, "us"), timed("elements/100", 1.0)]}
-    >>> speed = speed_of(run, [{"work": "w", "plain": "p", "plain_benchmark": "plain", "fast": "f", "fast_benchmark": "fast", "repetitions": 2}])
+    >>> speed = speed_of(run, [{"work": "w", "plain": "p", "plain_benchmark": "plain", "fast": "f", "fast_benchmark": "fast"}])
     >>> speed["comparisons"][0]["ratio"], speed["scale"][0]["seconds_per_element"]
-    (10.0, 5e-08)
+    (5.0, 5e-08)
     """
     times, lines = shortest_times(run), []
     for line in comparisons:
         plain, fast = (times[line[f"{way}_benchmark"]] for way in ("plain", "fast"))
-        lines.append(line | {"fast_seconds": fast, "ratio": line.get("repetitions", 1) * plain / fast})
+        lines.append(line | {"fast_seconds": fast, "ratio": plain / fast})
     # An iteration of "elements/N" is a hundred steps of N elements.
     per_element = {int(name.partition("/")[2]): seconds for name, seconds in times.items() if name.startswith("elements/")}
     scale = [{"elements": count, "seconds_per_element": seconds / (100 * count)} for count, seconds in per_element.items()]

@@ -263,14 +263,11 @@ BENCHMARK(elements)
 
 // ---- closed form
 
-void force_maximum(benchmark::State& state, bool plain) {
+void force_maximum(benchmark::State& state) {
   const analytic::StickResponse response(paper_beam, shaking(35.0, 0.5e-3), static_cast<int>(state.range(0)));
-  for (auto _ : state)
-    benchmark::DoNotOptimize(plain ? response.max_abs_friction_force_by_halving(ten_seconds)
-                                   : response.max_abs_friction_force(ten_seconds));
+  for (auto _ : state) benchmark::DoNotOptimize(response.max_abs_friction_force(ten_seconds));
 }
-BENCHMARK_CAPTURE(force_maximum, halving, true)->Arg(10)->Arg(40)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(force_maximum, search, false)->Arg(10)->Arg(40)->Unit(benchmark::kMillisecond);
+BENCHMARK(force_maximum)->Name("force_maximum/search")->Arg(10)->Arg(40)->Unit(benchmark::kMillisecond);
 
 // ---- maps
 
@@ -308,23 +305,6 @@ void length_force(benchmark::State& state) {
                  .states_only = true});
 }
 BENCHMARK(length_force)->Name("criterion_map/length_force")->Unit(benchmark::kMillisecond)->UseRealTime();
-
-// One point of that map by the plain method. Lengths and forces change from call to call.
-void length_force_point(benchmark::State& state) {
-  const data::Case flat = flat_case();
-  int point = 0;
-  for (auto _ : state) {
-    auto properties = flat.beam().properties();
-    properties.length = std::lerp(0.4, 2.0, 0.01 * (point % 97));
-    properties.axial_force = 5.0 * std::pow(6600.0, 0.01 * (point % 89));
-    ++point;
-    const data::Beam at(properties);
-    if (at.axial_force() >= analytic::stick_buckling_load(at)) continue;
-    benchmark::DoNotOptimize(
-        analytic::StickResponse(at, shaking(25.0, 1.0), 10).max_abs_friction_force_by_halving(ten_seconds));
-  }
-}
-BENCHMARK(length_force_point)->Unit(benchmark::kMicrosecond);
 
 // ---- Fig. 6
 

@@ -165,14 +165,11 @@ TEST(MaximumForce, RefusesBadArgumentsAndSaysWhich) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const double duration : {0.0, -1.0, nan}) {
     EXPECT_THROW((void)response.max_abs_friction_force(duration), std::invalid_argument);
-    EXPECT_THROW((void)response.max_abs_friction_force_by_halving(duration, 1e-3), data::FieldError);
     EXPECT_THROW((void)response.sampled_max_abs_friction_force(duration, 1e-3), std::invalid_argument);
   }
-  for (const double width : {0.0, 1e-14, 0.99e-13, 1.0, nan}) {
+  for (const double width : {0.0, 1e-14, 0.99e-13, 1.0, nan})
     EXPECT_THROW((void)response.max_abs_friction_force(1.0, width), std::invalid_argument);
-    EXPECT_THROW((void)response.max_abs_friction_force_by_halving(1e-9, width), std::invalid_argument);
-  }
-  EXPECT_NO_THROW((void)response.max_abs_friction_force_by_halving(1e-9, 1e-13));
+  EXPECT_NO_THROW((void)response.max_abs_friction_force(1e-9, 1e-13));
   EXPECT_THROW((void)response.sampled_max_abs_friction_force(1.0, 0.0), std::invalid_argument);
   EXPECT_THROW((void)response.sampled_max_abs_friction_force(1.0, 1e-300), std::invalid_argument);
   EXPECT_THROW((void)response.max_abs_friction_force(1e300), std::invalid_argument);

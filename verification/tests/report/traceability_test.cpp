@@ -76,15 +76,14 @@ TEST(BenchmarkRecord, HasATimeForEachComparison) {
   EXPECT_FALSE(record.at("context").at("processor").get<std::string>().empty());
   std::map<std::string, double> times;
   for (const auto& timed : record.at("benchmarks")) times[timed.at("run_name")] = timed.at("real_time");
-  const auto comparisons =
-      data::read_all(benchmarks / "comparisons.toml", "comparison",
-                     {"work", "plain", "plain_benchmark", "fast", "fast_benchmark", "repetitions"},
-                     [&](const data::Record& line) {
-                       for (const char* benchmark : {"plain_benchmark", "fast_benchmark"})
-                         EXPECT_GT(times[line.text(benchmark)], 0.0) << line.text(benchmark);
-                       return line.text("work") + line.text("plain") + line.text("fast");
-                     });
-  EXPECT_GE(comparisons.size(), 10u);
+  const auto comparisons = data::read_all(
+      benchmarks / "comparisons.toml", "comparison",
+      {"work", "plain", "plain_benchmark", "fast", "fast_benchmark"}, [&](const data::Record& line) {
+        for (const char* benchmark : {"plain_benchmark", "fast_benchmark"})
+          EXPECT_GT(times[line.text(benchmark)], 0.0) << line.text(benchmark);
+        return line.text("work") + line.text("plain") + line.text("fast");
+      });
+  EXPECT_GE(comparisons.size(), 7u);
   for (const char* elements : {"20", "100", "500", "2000", "20000"})
     EXPECT_GT(times[std::string("elements/") + elements], 0.0) << elements;
 }

@@ -202,11 +202,6 @@ std::vector<Search> searches_of_modes() {
            bend += std::abs(coefficient / (omega - natural)) * std::pow(omega, 3);
          return problem.excitation().amplitude() * bend * step * step / 8.0 * (1.0 + 1e-9);
        }},
-      {"halving",
-       [=](const data::Case& problem) {
-         return response(problem).max_abs_friction_force_by_halving(problem.numerics.duration(), 1e-4);
-       },
-       by_width(1e-4)},
       {"criterion", [](const data::Case& problem) { return analytic::evaluate_criterion(problem).force_max; },
        by_width(2e-10)},
       {"damped without damping",

@@ -2,7 +2,7 @@
 #pragma once
 
 /// |f_max| of Eqs. (29) and (30), fast: what StickResponse::max_abs_friction_force returns, at a fraction of
-/// the cost of the plain way, StickResponse::max_abs_friction_force_by_halving.
+/// the cost of halving intervals by a bound of |f''|.
 ///
 /// Per unit amplitude the reaction is a sum of sinusoids, a_0 sin(Ω t) + sum a_n sin(ω_n t), and of
 /// one modulated sinusoid for each mode in resonance, |Ω - ω_n| T < 2. Three bounds find its largest

@@ -77,19 +77,9 @@ class StickResponse {
   /// frequencies and amplitudes: ForceMaximum of reaction(), times A0. Throws what that throws.
   [[nodiscard]] Bounds max_abs_friction_force(double duration, double relative_width = 1e-10) const;
 
-  /// The same by plain halving, without the rounding of f in the bounds. It is slower, and checks the other.
-  ///
-  /// On an interval of length h the maximum exceeds the larger end value by at most (h²/8) max|f''|. Of max|f''| a mode
-  /// has |a_i| w_i² or, in resonance, where its two amplitudes are large and opposite, |g_n''| ≤ Ω (Ω t + 1)/
-  /// (Ω + ω_n). Intervals whose bound does not exceed the best value found are dropped, the others are halved,
-  /// until upper - lower ≤ relative_width * lower.
-  /// Throws std::invalid_argument unless duration > 0 (excitation.duration) and 1e-13 ≤ relative_width < 1, or
-  /// if the first division already needs more than 1e9 intervals.
-  [[nodiscard]] Bounds max_abs_friction_force_by_halving(double duration,
-                                                         double relative_width = 1e-10) const;
-
   /// The same from samples at t = i * sampling_step and t = duration only: lower is the largest sample, upper
-  /// adds (sampling_step²/8) max|f''|. Throws std::invalid_argument unless duration > 0, sampling_step > 0
+  /// adds (sampling_step²/8) max|f''|. Of max|f''| a mode has |a_i| w_i² or, in resonance, where its two amplitudes are large and
+  /// opposite, |g_n''| ≤ Ω (Ω t + 1)/(Ω + ω_n). Throws std::invalid_argument unless duration > 0, sampling_step > 0
   /// and duration ≤ 1e9 sampling_step.
   [[nodiscard]] Bounds sampled_max_abs_friction_force(double duration, double sampling_step) const;
 
