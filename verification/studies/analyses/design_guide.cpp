@@ -13,6 +13,7 @@
 #include "stickslip/analytic/criterion.hpp"
 #include "stickslip/analytic/stick_reaction.hpp"
 #include "studies/analyses/length_force_map.hpp"
+#include "studies/common/bisection.hpp"
 #include "studies/common/parallel.hpp"
 
 namespace stickslip::studies {
@@ -128,13 +129,9 @@ class Scan {
     const auto natural_hz = [&](double value) {
       return stick_hz(with_value(problem_, parameter_, value).beam(), mode);
     };
-    double low = range.lower, high = range.upper;
-    if (natural_hz(low) < hz || natural_hz(high) > hz) return std::nullopt;
-    while (high - low > 1e-14 * high) {
-      const double middle = 0.5 * (low + high);
-      (natural_hz(middle) > hz ? low : high) = middle;
-    }
-    return 0.5 * (low + high);
+    if (natural_hz(range.lower) < hz || natural_hz(range.upper) > hz) return std::nullopt;
+    return bisected(
+        range.lower, range.upper, [&](double value) { return natural_hz(value) > hz; }, 1e-14 * range.lower);
   }
 
   // The estimate R of design_scan(): how far |f_max| per metre of amplitude rises above its larger end value, N/m. As b³, b² times

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "stickslip/analytic/stick_modes.hpp"
+#include "studies/common/bisection.hpp"
 #include "studies/common/parallel.hpp"
 #include "studies/common/problem_parameter.hpp"
 
@@ -98,15 +99,12 @@ std::optional<double> resonance_length(const data::Beam& beam, int mode, double 
     properties.length = length;
     return stick_hz(data::Beam(properties), mode);
   };
-  double low = mode * std::numbers::pi / wave_number;
+  const double low = mode * std::numbers::pi / wave_number;
   double high = (mode + 0.5) * std::numbers::pi / wave_number;
   if (beam.axial_force() > 0.0) high = std::min(high, buckling_length(beam) * (1.0 - 1e-12));
   if (low >= high || hz_at(high) > hz) return std::nullopt;
-  while (high - low > 1e-12) {
-    const double middle = 0.5 * (low + high);
-    (hz_at(middle) > hz ? low : high) = middle;
-  }
-  return 0.5 * (low + high);
+  return bisected(
+      low, high, [&](double length) { return hz_at(length) > hz; }, 1e-12);
 }
 
 std::vector<double> figure14_axial_forces() {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "studies/analyses/measured_case.hpp"
 
+#include <gsl/gsl_statistics_double.h>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -58,7 +60,7 @@ std::pair<double, std::size_t> spread_of(const data::Case& problem, const data::
                                          const OwnMeasurement& one, std::size_t samples,
                                          const std::function<void(double)>& progress) {
   const JointDistribution joint(uncertainty);
-  std::vector<std::optional<double>> values(samples);
+  std::vector<double> values(samples, std::nan(""));
   const auto work = [&](std::size_t index) {
     try {
       const auto point = joint.at(independent_point(1, index, joint.size()));
@@ -68,13 +70,9 @@ std::pair<double, std::size_t> spread_of(const data::Case& problem, const data::
     }
   };
   in_parallel(samples, work, progress);
-  std::erase(values, std::nullopt);
-  const auto n = static_cast<double>(values.size());
+  std::erase_if(values, [](double value) { return std::isnan(value); });
   if (values.size() < 2) throw data::InputError("of the samples of [uncertainty] two or more must be beams");
-  double mean = 0.0, square = 0.0;
-  for (const auto& value : values) mean += *value / n;
-  for (const auto& value : values) square += std::pow(*value - mean, 2) / (n - 1.0);
-  return {std::sqrt(square), samples - values.size()};
+  return {gsl_stats_sd(values.data(), 1, values.size()), samples - values.size()};
 }
 
 std::vector<OwnMeasurement> read_measurements(const std::filesystem::path& file) {

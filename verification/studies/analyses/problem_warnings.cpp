@@ -11,6 +11,7 @@
 #include "stickslip/solver/beam_simulation.hpp"
 #include "studies/analyses/criterion_answer.hpp"
 #include "studies/analyses/squeal.hpp"
+#include "studies/common/bisection.hpp"
 #include "studies/common/discretisation.hpp"
 #include "studies/common/problem_parameter.hpp"
 #include "studies/history/contact_growth.hpp"
@@ -40,12 +41,10 @@ double two_digits(double value) {
 
 // The largest time step at which step_error() is not above allowed_step_error.
 double allowed_step(double spectral_radius, double omega) {
-  double lower = 0.0, upper = 2.0 * pi;  // ω h
-  for (int i = 0; i < 60; ++i) {
-    const double middle = 0.5 * (lower + upper);
-    (step_error(spectral_radius, 1.0, middle) > allowed_step_error ? upper : lower) = middle;
-  }
-  return two_digits(lower / omega);
+  const double angle = bisected(0.0, 2.0 * pi, [&](double step) {  // ω h
+    return step_error(spectral_radius, 1.0, step) <= allowed_step_error;
+  });
+  return two_digits(angle / omega);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_qrng.h>
+#include <gsl/gsl_statistics_double.h>
 
 #include <algorithm>
 #include <array>
@@ -13,6 +14,7 @@
 #include <random>
 #include <stdexcept>
 
+#include "studies/common/bisection.hpp"
 #include "studies/common/parallel.hpp"
 
 namespace stickslip::studies {
@@ -34,12 +36,7 @@ std::uint64_t mixed(std::uint64_t state) {
 
 // x with P(x) = p for a P that increases from 0 to 1 on 0 ... 1.
 double inverse(double p, const std::function<double(double)>& cumulative) {
-  double low = 0.0, high = 1.0;
-  while (high - low > 1e-15 * high) {
-    const double middle = 0.5 * (low + high);
-    (cumulative(middle) < p ? low : high) = middle;
-  }
-  return 0.5 * (low + high);
+  return bisected(0.0, 1.0, [&](double x) { return cumulative(x) < p; });
 }
 
 double triangular_quantile(const data::Distribution& d, double p) {
@@ -75,11 +72,9 @@ class Scrambling {
 
 Estimate mean_with_interval(std::span<const double> values) {
   const auto count = static_cast<double>(values.size());
-  double mean = 0.0, squares = 0.0;
-  for (const double value : values) mean += value / count;
-  for (const double value : values) squares += (value - mean) * (value - mean);
-  const double half =
-      gsl_cdf_tdist_Pinv(1.0 - tail, count - 1.0) * std::sqrt(squares / (count * (count - 1.0)));
+  const double mean = gsl_stats_mean(values.data(), 1, values.size());
+  const double half = gsl_cdf_tdist_Pinv(1.0 - tail, count - 1.0) *
+                      gsl_stats_sd_m(values.data(), 1, values.size(), mean) / std::sqrt(count);
   return {mean, mean - half, mean + half};
 }
 

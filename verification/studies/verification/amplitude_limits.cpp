@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "studies/verification/amplitude_limits.hpp"
 
+#include <gsl/gsl_statistics_double.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -32,18 +34,16 @@ ModelMargin margin_of(const char* model, double AmplitudeLimit::*amplitude, cons
 }
 
 void compare(AmplitudeLimits& study, const std::vector<CriticalAmplitudeSearch>& finite_elements) {
-  double sum = 0.0, squares = 0.0;
+  std::vector<double> errors;
   for (const CriticalAmplitudeSearch& search : finite_elements)
     for (const AmplitudeLimit& limit : study.limits)
       if (limit.frequency_hz == search.frequency_hz) {
-        const double error = search.linear / limit.start_up - 1.0;
-        sum += error;
-        squares += error * error;
-        study.largest = std::max(study.largest, std::abs(error));
-        ++study.compared;
+        errors.push_back(search.linear / limit.start_up - 1.0);
+        study.largest = std::max(study.largest, std::abs(errors.back()));
       }
-  study.bias = sum / study.compared;
-  study.spread = std::sqrt((squares - sum * study.bias) / (study.compared - 1));
+  study.compared = static_cast<int>(errors.size());
+  study.bias = gsl_stats_mean(errors.data(), 1, errors.size());
+  study.spread = gsl_stats_sd(errors.data(), 1, errors.size());
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/data/paper.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
+#include "studies/common/bisection.hpp"
 #include "studies/common/discretisation.hpp"
 #include "studies/common/parallel.hpp"
 #include "studies/common/problem_parameter.hpp"
@@ -81,14 +82,11 @@ std::optional<double> closed_form_first_slip(const data::Case& problem) {
       2000.0;
   const long samples = std::lround(problem.numerics.duration() / scan);
   for (long n = 1; n <= samples; ++n) {
-    double high = static_cast<double>(n) * scan;
-    if (!exceeded(high)) continue;
-    double low = high - scan;
-    while (high - low > 5e-5 * scan) {
-      const double middle = 0.5 * (low + high);
-      (exceeded(middle) ? high : low) = middle;
-    }
-    return high;
+    const double end = static_cast<double>(n) * scan;
+    if (exceeded(end))
+      return bisected(
+                 end - scan, end, [&](double t) { return !exceeded(t); }, 2.5e-5 * scan) +
+             1.25e-5 * scan;  // at the end of the last interval or behind it, where the limit is exceeded
   }
   return std::nullopt;
 }

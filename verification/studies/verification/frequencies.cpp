@@ -8,6 +8,7 @@
 #include "stickslip/analytic/slip_modes.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/solver/modal_analysis.hpp"
+#include "studies/common/bisection.hpp"
 #include "studies/common/discretisation.hpp"
 #include "studies/common/problem_parameter.hpp"
 
@@ -64,12 +65,8 @@ double finite_element_flutter(const data::Beam& beam, int elements) {
     return solver::slip_eigenvalues(solver::BeamModel(data::Beam(properties), elements), 1).front().imag() !=
            0.0;
   };
-  double low = 15.0, high = 25.0;
-  while (high - low > 1e-9) {
-    const double middle = 0.5 * (low + high);
-    (flutters(middle) ? high : low) = middle;
-  }
-  return 0.5 * (low + high);
+  return bisected(
+      15.0, 25.0, [&](double factor) { return !flutters(factor); }, 1e-9);
 }
 
 // Scales the shape to a largest magnitude of 1 and a positive sign next to the clamp.

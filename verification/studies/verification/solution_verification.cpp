@@ -16,6 +16,7 @@
 #include "stickslip/solver/beam_simulation.hpp"
 #include "stickslip/solver/modal_analysis.hpp"
 #include "studies/analyses/length_force_map.hpp"
+#include "studies/common/bisection.hpp"
 #include "studies/common/discretisation.hpp"
 #include "studies/common/parallel.hpp"
 #include "studies/common/problem_parameter.hpp"
@@ -79,12 +80,10 @@ void add_frequencies(const data::Case& paper, std::vector<Plan>& plans) {
 // m.
 double finite_element_resonance_length(const data::Beam& section, int mode, double hz, int elements,
                                        double low, double high) {
-  while (high - low > 1e-12) {
-    const double middle = 0.5 * (low + high);
-    const data::Beam beam = with(section, &data::BeamProperties::length, middle);
-    (finite_element_hz(beam, mode, elements) > hz ? low : high) = middle;
-  }
-  return 0.5 * (low + high);
+  const auto is_above = [&](double length) {
+    return finite_element_hz(with(section, &data::BeamProperties::length, length), mode, elements) > hz;
+  };
+  return bisected(low, high, is_above, 1e-12);
 }
 
 void add_resonance_lengths(std::vector<Plan>& plans) {

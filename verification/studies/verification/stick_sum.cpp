@@ -9,6 +9,7 @@
 
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/solver/stick_slip_integrator.hpp"
+#include "studies/common/bisection.hpp"
 #include "studies/common/problem_parameter.hpp"
 
 namespace stickslip::studies {
@@ -56,12 +57,8 @@ Eigen::VectorXd quasi_static_shape(const solver::ContactSystem& system) {
 double sliding_velocity(const FrictionRule& law, const data::FrictionLaw& friction, double strength,
                         double free_velocity) {
   const double reach = 2.0 * strength * friction.static_coefficient();
-  double low = free_velocity - reach, high = free_velocity + reach;
-  for (int halving = 0; halving < 60; ++halving) {
-    const double middle = 0.5 * (low + high);
-    (middle + strength * law.coefficient(friction, middle) > free_velocity ? high : low) = middle;
-  }
-  return 0.5 * (low + high);
+  return bisected(free_velocity - reach, free_velocity + reach,
+                  [&](double v) { return v + strength * law.coefficient(friction, v) <= free_velocity; });
 }
 
 void add_sample(TipRun& run, Eigen::Index contact, const solver::PrescribedMotion& base, double t,

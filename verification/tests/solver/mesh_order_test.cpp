@@ -11,6 +11,7 @@
 #include "stickslip/solver/beam_simulation.hpp"
 #include "stickslip/solver/contact_mobility.hpp"
 #include "stickslip/solver/modal_analysis.hpp"
+#include "studies/common/bisection.hpp"
 #include "studies/verification/frequencies.hpp"
 #include "studies/verification/manufactured_solution.hpp"
 #include "support/order.hpp"
@@ -98,12 +99,7 @@ double slip_critical_load(const data::Beam& beam, int elements, double about) {
     return std::ranges::all_of(solver::slip_eigenvalues(mesh, 2),
                                [](Complex square) { return square.imag() == 0.0 && square.real() > 0.0; });
   };
-  double low = 0.9 * about, high = 1.1 * about;
-  while (high - low > 1e-11 * about) {
-    const double middle = 0.5 * (low + high);
-    (is_stable(middle) ? low : high) = middle;
-  }
-  return 0.5 * (low + high);
+  return studies::bisected(0.9 * about, 1.1 * about, is_stable, 1e-11 * about);
 }
 
 /// B_h(v_h, u_h) = 0 at another P: z is off by B(v - v_h, u - u_h)/[int v' u' - (1 - chi) v(1) u'(1)]. In flutter omega is off as

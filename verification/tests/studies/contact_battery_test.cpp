@@ -4,6 +4,7 @@
 
 #include "stickslip/analytic/event_driven.hpp"
 #include "stickslip/analytic/free_mode_run.hpp"
+#include "studies/common/bisection.hpp"
 #include "support/contact_models.hpp"
 #include "support/testing.hpp"
 
@@ -133,11 +134,7 @@ void add_slips(ContactProblem& problem, double amplitude, double end) {
     };
     double low = start + 1e-3, high = low;
     while (d * velocity(high) > 0.0) low = high, high += 1e-3;
-    for (int halving = 0; halving < 60; ++halving) {
-      const double middle = 0.5 * (low + high);
-      (d * velocity(middle) > 0.0 ? low : high) = middle;
-    }
-    time = low;
+    time = studies::bisected(low, high, [&](double t) { return d * velocity(t) > 0.0; });
     if (time >= end) return;
     const double length = time - start;
     position += -0.5 * d * length * length + amplitude / omega *
