@@ -134,7 +134,7 @@ DampedForce::DampedForce(const DampedReaction& reaction, double angular_frequenc
       const Complex share = amplitude / (pole - eigenvalue);
       steady += sign > 0.0 ? share : std::conj(share);
       if (std::abs(pole - eigenvalue) * duration < 2.0) {
-        beats_.push_back({amplitude, pole, eigenvalue});
+        near_resonant_terms_.push_back({amplitude, pole, eigenvalue});
         continue;
       }
       apart += sign > 0.0 ? share : std::conj(share);
@@ -146,14 +146,14 @@ DampedForce::DampedForce(const DampedReaction& reaction, double angular_frequenc
   terms_.front().amplitude = apart;
   steady_amplitude_ = std::abs(steady);
 
-  const auto operations = static_cast<double>(terms_.size() + beats_.size()) + 20.0;
+  const auto operations = static_cast<double>(terms_.size() + near_resonant_terms_.size()) + 20.0;
   rounding_ = operations * cancelled;
   for (const Term& term : terms_) {
     // A phase is wrong by up to |λ| t eps, and counts while exp(Re λ t) lets it.
     const double longest = std::min(duration, 1.0 / (std::numbers::e * std::abs(term.exponent.real())));
     rounding_ += std::abs(term.amplitude) * (4.0 * std::abs(term.exponent) * longest + operations);
   }
-  for (const Beat& beat : beats_)
+  for (const NearResonantTerm& beat : near_resonant_terms_)
     rounding_ +=
         std::abs(beat.amplitude) * duration * (4.0 * std::abs(beat.exponent) * duration + operations);
   rounding_ *= kUnitRoundoff;
@@ -213,14 +213,14 @@ double DampedForce::omitted(double t) const {
   return sum;
 }
 
-void DampedForce::add(Jet& sum, const Term& term, double t) const {
+void DampedForce::add(TaylorCoefficients& sum, const Term& term, double t) const {
   const Complex value = term.amplitude * std::exp(term.exponent * t), slope = term.exponent * value;
   sum.value += value.real();
   sum.slope += slope.real();
   sum.curvature += (term.exponent * slope).real();
 }
 
-void DampedForce::add(Jet& sum, const Beat& beat, double t) const {
+void DampedForce::add(TaylorCoefficients& sum, const NearResonantTerm& beat, double t) const {
   const Complex value = beat.amplitude * exponential_difference(beat.pole, beat.exponent, t);
   const Complex forcing = beat.amplitude * std::exp(beat.pole * t);
   const Complex slope = beat.exponent * value + forcing;
@@ -229,10 +229,10 @@ void DampedForce::add(Jet& sum, const Beat& beat, double t) const {
   sum.curvature += (beat.exponent * slope + beat.pole * forcing).real();
 }
 
-Jet DampedForce::jet(double t) const {
-  Jet sum;
+TaylorCoefficients DampedForce::jet(double t) const {
+  TaylorCoefficients sum;
   for (const Term& term : terms_) add(sum, term, t);
-  for (const Beat& beat : beats_) add(sum, beat, t);
+  for (const NearResonantTerm& beat : near_resonant_terms_) add(sum, beat, t);
   return sum;
 }
 
@@ -247,7 +247,7 @@ double DampedForce::transient_bound(double t) const {
 class DampedForce::Search {
  public:
   Search(const DampedForce& force, double relative_width) : force_(force), relative_width_(relative_width) {
-    for (const Beat& beat : force.beats_) {
+    for (const NearResonantTerm& beat : force.near_resonant_terms_) {
       const double b = std::abs(beat.amplitude), w = std::abs(beat.exponent), o = force.omega_;
       beats_value_ += b * force.duration_;
       beats_third_ += b * (cubed(w) * force.duration_ + w * w + w * o + o * o);
@@ -290,7 +290,8 @@ class DampedForce::Search {
   [[nodiscard]] std::optional<double> settling_time() const {
     const double enough = 0.25 * relative_width_ * std::abs(force_.terms_.front().amplitude);
     const double last = force_.duration_ - std::numbers::pi / force_.omega_;
-    if (!force_.beats_.empty() || !(last > 0.0) || force_.transient_bound(last) > enough) return std::nullopt;
+    if (!force_.near_resonant_terms_.empty() || !(last > 0.0) || force_.transient_bound(last) > enough)
+      return std::nullopt;
     double early = 0.0, late = last;
     for (int k = 0; k < 20; ++k) {
       const double middle = 0.5 * (early + late);
@@ -310,7 +311,7 @@ class DampedForce::Search {
     const double largest = std::abs(force_.terms_.front().amplitude) + force_.transient_bound(start) +
                            beats_value_ + force_.rounding_;
     if (is_done(largest + omitted) || radius_ * force_.omega_ > 1.0) return largest;
-    Jet sum;
+    TaylorCoefficients sum;
     double rest = force_.rounding_, excess = 0.0;
     for (const Term& term : force_.terms_) {
       const double amplitude = std::abs(term.amplitude) * std::exp(term.exponent.real() * start);
@@ -322,7 +323,7 @@ class DampedForce::Search {
         rest += amplitude;
       }
     }
-    for (const Beat& beat : force_.beats_) force_.add(sum, beat, centre);
+    for (const NearResonantTerm& beat : force_.near_resonant_terms_) force_.add(sum, beat, centre);
     excess += beats_third_ * reach;
     see(centre, sum.value, rest);
     return std::min(largest, largest_parabola(sum.value, sum.slope, sum.curvature, radius_) + excess + rest);

@@ -78,16 +78,16 @@ DampedSteadyState::DampedSteadyState(const data::Beam& beam, const data::Harmoni
   const Weights of_b = held ? held_tip(b, c) : free_tip(b, c, y);
   const Weights of_c = held ? held_tip(c, b) : free_tip(c, b, y);
   const double sign = held ? -1.0 : 1.0;
-  waves_ = {Wave{b, of_b.from_clamp, true}, Wave{b, of_b.from_tip, false},
-            Wave{c, sign * of_c.from_clamp, true}, Wave{c, sign * of_c.from_tip, false}};
+  waves_ = {BoundaryWave{b, of_b.from_clamp, true}, BoundaryWave{b, of_b.from_tip, false},
+            BoundaryWave{c, sign * of_c.from_clamp, true}, BoundaryWave{c, sign * of_c.from_tip, false}};
   const Complex at_clamp = displacement(0.0);
-  for (Wave& wave : waves_) wave.weight *= excitation.amplitude() / at_clamp;
+  for (BoundaryWave& wave : waves_) wave.weight *= excitation.amplitude() / at_clamp;
 }
 
 Complex DampedSteadyState::derivative(int order, double x) const {
   const double xi = x / length_;
   Complex sum = 0.0;
-  for (const Wave& wave : waves_) {
+  for (const BoundaryWave& wave : waves_) {
     const Complex exponent = wave.from_clamp ? -wave.exponent : wave.exponent;
     const double distance = wave.from_clamp ? xi : 1.0 - xi;
     sum += wave.weight * std::pow(exponent / length_, order) * std::exp(-wave.exponent * distance);
@@ -101,8 +101,8 @@ Complex DampedSteadyState::friction_force() const {
 
 double DampedSteadyState::dissipated_energy() const {
   double integral = 0.0;  // of |L² Y''|² over x/L
-  for (const Wave& left : waves_)
-    for (const Wave& right : waves_) {
+  for (const BoundaryWave& left : waves_)
+    for (const BoundaryWave& right : waves_) {
       const Complex r = left.exponent, q = std::conj(right.exponent);
       const Complex mean =
           left.from_clamp == right.from_clamp ? mean_of_exponential(r + q, 0.0) : mean_of_exponential(r, q);

@@ -59,7 +59,7 @@ ForceMaximum::ForceMaximum(const ModalReaction& reaction, double angular_frequen
     const double sum = omega + natural, difference = omega - natural;
     const double shared = mode.coefficient * omega * omega / sum;
     if (std::abs(difference) * duration < 2.0) {
-      beats_.push_back({shared, 0.5 * sum, 0.5 * difference});
+      near_resonant_terms_.push_back({shared, 0.5 * sum, 0.5 * difference});
       sinusoids_.push_back({-shared / natural, natural});
       continue;
     }
@@ -77,8 +77,8 @@ ForceMaximum::ForceMaximum(const ModalReaction& reaction, double angular_frequen
   // the curvature of a parabola, once in where a piece of time ends.
   constexpr double phases = 4.0;
   double rounding = 0.0;
-  const auto operations = static_cast<double>(sinusoids_.size() + beats_.size()) + 10.0;
-  for (const Beat& beat : beats_) {
+  const auto operations = static_cast<double>(sinusoids_.size() + near_resonant_terms_.size()) + 10.0;
+  for (const NearResonantTerm& beat : near_resonant_terms_) {
     // |e| ≤ E, |e'| ≤ 1, |e''| ≤ δ, |e'''| ≤ δ²
     const double b = std::abs(beat.amplitude), sigma = beat.mean, delta = std::abs(beat.detuning);
     const double largest = delta * duration > 1.0 ? 1.0 / delta : duration;
@@ -103,21 +103,21 @@ ForceMaximum::ForceMaximum(const ModalReaction& reaction, double angular_frequen
 
 double ForceMaximum::beats(double t) const {
   double sum = 0.0;
-  for (const Beat& beat : beats_)
+  for (const NearResonantTerm& beat : near_resonant_terms_)
     sum += beat.amplitude * t * sinc(beat.detuning * t) * std::cos(beat.mean * t);
   return sum;
 }
 
-Jet ForceMaximum::jet(double t) const {
+TaylorCoefficients ForceMaximum::jet(double t) const {
   std::vector<Phase> phases;
   phases.reserve(sinusoids_.size());
   for (const auto& [a, w] : sinusoids_) phases.push_back({std::sin(w * t), std::cos(w * t)});
   return jet(t, phases.data(), phases.size());
 }
 
-Jet ForceMaximum::jet(double t, const Phase* phases, std::size_t terms) const {
-  Jet sum;
-  for (const Beat& beat : beats_) {
+TaylorCoefficients ForceMaximum::jet(double t, const Phase* phases, std::size_t terms) const {
+  TaylorCoefficients sum;
+  for (const NearResonantTerm& beat : near_resonant_terms_) {
     const double sigma = beat.mean, delta = beat.detuning;
     const double c = std::cos(sigma * t), s = std::sin(sigma * t);
     const double e = t * sinc(delta * t), e_slope = std::cos(delta * t);
@@ -328,7 +328,7 @@ class ForceMaximum::Search {
         const double s = a * start_[n].sine, c = a * start_[n].cosine;
         for (std::size_t i = 0; i < kBlock; ++i) block[i] += s * cosines_[n][i] + c * sines_[n][i];
       }
-      if (!force_.beats_.empty())
+      if (!force_.near_resonant_terms_.empty())
         for (std::size_t i = 0; i < kBlock; ++i) block[i] += force_.beats(h * static_cast<double>(first + i));
       std::fill(block + std::min(kBlock, count - first), block + kBlock, 0.0);
       constexpr std::size_t lanes = 8;  // which do not wait for each other
@@ -364,7 +364,7 @@ class ForceMaximum::Search {
   void settle(double t, std::size_t depth) {
     const std::size_t all = force_.sinusoids_.size(), terms = depths_[depth].terms;
     const double radius = depths_[depth].radius;
-    const Jet at = force_.jet(t, &phases_[depth * all], terms);
+    const TaylorCoefficients at = force_.jet(t, &phases_[depth * all], terms);
     see(at.value, depths_[depth].uncertainty);
     if (lower_ > too_much_) return;
     if (drop(largest_parabola(at.value, at.slope, at.curvature, radius) + depths_[depth].excess)) return;
@@ -388,7 +388,7 @@ class ForceMaximum::Search {
   }
 
   /// Newton's method for the largest |f| of a piece on which f is concave away from zero.
-  bool close_by_peak(double centre, double radius, Jet at) {
+  bool close_by_peak(double centre, double radius, TaylorCoefficients at) {
     const double third = truncation(force_.sinusoids_.size()).third;
     const double bend = std::abs(at.curvature) - third * radius;  // m
     const double lowest = std::abs(at.value) - std::abs(at.slope) * radius -
@@ -434,7 +434,7 @@ Bounds ForceMaximum::refined_to(double relative_width, double enough, double too
 }
 
 double ForceMaximum::upper_bound() const {
-  if (!beats_.empty()) return std::numeric_limits<double>::infinity();
+  if (!near_resonant_terms_.empty()) return std::numeric_limits<double>::infinity();
   return truncations_.front().rest + std::abs(sinusoids_.front().amplitude) + rounding_;
 }
 

@@ -81,14 +81,14 @@ ModalContactRun::ModalContactRun(const ContactModes& modes, const ContactModel& 
       share = h / (1.0 - 0.5 * lambda * h);
     }
     Block& block = k % lanes == 0 ? blocks_.emplace_back() : blocks_.back();
-    const auto set = [lane = k % lanes](Part& part, Complex value) {
+    const auto set = [lane = k % lanes](ComplexLanes& part, Complex value) {
       part.real[lane] = value.real();
       part.imaginary[lane] = value.imag();
     };
     set(block.turn, turn);
     set(block.input, share * force);
     weight_ += (share * force).real();
-    drive(k, load);
+    add_load(k, load);
   }
   for (std::size_t n = 0; n <= period_; ++n) {
     sine_.push_back(std::sin(angle * static_cast<double>(n)));
@@ -100,7 +100,7 @@ ModalContactRun::ModalContactRun(const ContactModes& modes, const ContactModel& 
   set_friction();
 }
 
-void ModalContactRun::drive(std::size_t mode, Complex load) {
+void ModalContactRun::add_load(std::size_t mode, Complex load) {
   const double omega = model_.load_angular_frequency;
   const Complex lambda = modes_->eigenvalue_[mode], i{0.0, 1.0};
   const double distance = std::min(std::abs(i * omega - lambda), std::abs(i * omega + lambda));
@@ -117,16 +117,16 @@ void ModalContactRun::drive(std::size_t mode, Complex load) {
 void ModalContactRun::set_friction() {
   const double normal = model_.normal_force;
   const data::FrictionLaw law = model_.friction.in_slip();
-  held_ = model_.friction.static_coefficient() * normal;
-  kinetic_ = law.kinetic_coefficient() * normal;
-  falling_ = law.static_coefficient() * normal - kinetic_;
-  decay_ = falling_ > 0.0 ? law.decay() : 0.0;
+  static_limit_ = model_.friction.static_coefficient() * normal;
+  kinetic_force_ = law.kinetic_coefficient() * normal;
+  friction_drop_ = law.static_coefficient() * normal - kinetic_force_;
+  decay_ = friction_drop_ > 0.0 ? law.decay() : 0.0;
   viscous_ = law.viscous() * normal;
-  if (!(weight_ > 0.0 && 0.5 * decay_ * falling_ * weight_ < 1.0))
+  if (!(weight_ > 0.0 && 0.5 * decay_ * friction_drop_ * weight_ < 1.0))
     throw data::InputError(
         "numerics.time_step is too long: a step has one solution only if (mu_s - mu_m) alpha N W is below 2, "
         "but it is " +
-        data::shortest_text(decay_ * falling_ * weight_));
+        data::shortest_text(decay_ * friction_drop_ * weight_));
 }
 
 void ModalContactRun::start_stuck() {
@@ -161,8 +161,8 @@ void ModalContactRun::start(const ContactKinematics& state) {
 void ModalContactRun::advance(double force) {
   std::array<double, lanes> sums{};
   for (Block& block : blocks_) {
-    const Part turn = block.turn, input = block.input, z = block.amplitude;
-    Part next;
+    const ComplexLanes turn = block.turn, input = block.input, z = block.amplitude;
+    ComplexLanes next;
     for (std::size_t l = 0; l < lanes; ++l)
       next.real[l] = turn.real[l] * z.real[l] - turn.imaginary[l] * z.imaginary[l] + input.real[l] * force;
     for (std::size_t l = 0; l < lanes; ++l)
@@ -198,14 +198,14 @@ void ModalContactRun::add_load() {
 
 // Next to a value that is known, by the series of the exponential function, to round-off.
 double ModalContactRun::falling_force(double speed) {
-  if (falling_ == 0.0) return 0.0;
+  if (friction_drop_ == 0.0) return 0.0;
   const double x = decay_ * (known_speed_ - speed);
   constexpr double short_enough = 1e-2;
   if (known_force_ > 0.0 && std::abs(x) < short_enough)
     return known_force_ *
            (1.0 + x * (1.0 + x * (1.0 / 2.0 + x * (1.0 / 6.0 + x * (1.0 / 24.0 + x * (1.0 / 120.0))))));
   known_speed_ = speed;
-  return known_force_ = falling_ * std::exp(-decay_ * speed);
+  return known_force_ = friction_drop_ * std::exp(-decay_ * speed);
 }
 
 struct ModalContactRun::Slip {
@@ -220,7 +220,7 @@ ModalContactRun::Slip ModalContactRun::slip(double free_speed, double speed_befo
     const double mean = 0.5 * (speed + speed_before);
     const double exponential = falling_force(mean);
     const double slope = 0.5 * (viscous_ - decay_ * exponential);
-    force = kinetic_ + exponential + viscous_ * mean;
+    force = kinetic_force_ + exponential + viscous_ * mean;
     const double change = (free_speed - speed - weight_ * force) / (1.0 + weight_ * slope);
     speed += change;
     force += slope * change;
@@ -233,17 +233,18 @@ ModalContactRun::Slip ModalContactRun::slip(double free_speed, double speed_befo
 // A sliding velocity that would go on to `further`, which is not in its direction. It passes zero after a share of the step, from
 // which on friction acts the other way, if that does not hold the contact.
 bool ModalContactRun::turns_round(double free_velocity, double further) {
-  if (std::abs(free_velocity - sliding_velocity_) <= weight_ * held_) return false;
-  may_hide_stick_ = std::abs(change_) - std::abs(change_ - change_before_) <= 2.0 * held_ * free_step_;
+  if (std::abs(free_velocity - sliding_velocity_) <= weight_ * static_limit_) return false;
+  may_hide_stick_ =
+      std::abs(change_) - std::abs(change_ - change_before_) <= 2.0 * static_limit_ * free_step_;
   const double direction = std::copysign(1.0, sliding_velocity_), speed = std::abs(sliding_velocity_);
   const double share = speed / (speed - further);
-  friction_force_ = -direction * (2.0 * share - 1.0) * (kinetic_ + falling_);
+  friction_force_ = -direction * (2.0 * share - 1.0) * (kinetic_force_ + friction_drop_);
   force_before_ = std::abs(friction_force_);
   sliding_velocity_ = free_velocity + weight_ * friction_force_;
   return true;
 }
 
-void ModalContactRun::decide(double free_velocity) {
+void ModalContactRun::update_contact(double free_velocity) {
   if (slips_ && sliding_velocity_ != 0.0) {
     const double direction = std::copysign(1.0, sliding_velocity_);
     const double force = std::abs(friction_force_);
@@ -256,23 +257,23 @@ void ModalContactRun::decide(double free_velocity) {
     }
     if (turns_round(free_velocity, on.speed)) return;
   }
-  slips_ = std::abs(free_velocity) > weight_ * held_;
+  slips_ = std::abs(free_velocity) > weight_ * static_limit_;
   if (!slips_) {
     sliding_velocity_ = 0.0;
     friction_force_ = -free_velocity / weight_;
     return;
   }
   const double direction = std::copysign(1.0, free_velocity);
-  const Slip away = slip(std::abs(free_velocity), 0.0, held_);
+  const Slip away = slip(std::abs(free_velocity), 0.0, static_limit_);
   sliding_velocity_ = direction * away.speed;
   friction_force_ = -direction * away.force;
-  force_before_ = held_;
+  force_before_ = static_limit_;
 }
 
 void ModalContactRun::step() {
   const double before = sliding_velocity_;
   may_hide_stick_ = false;
-  decide(free_velocity_);
+  update_contact(free_velocity_);
   change_before_ = change_;
   change_ = sliding_velocity_ - before;
   advance(friction_force_ + model_.contact_force);

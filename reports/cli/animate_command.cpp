@@ -22,7 +22,7 @@ struct AnimateOptions {
   std::string output = "frames";
 };
 
-// Of no other film than a GIF.
+// The only film format is GIF.
 std::string no_other_film(const std::string& name) {
   if (!name.ends_with(".mp4") && !name.ends_with(".webm") && !name.ends_with(".avi")) return "";
   return fmt::format(
@@ -40,7 +40,7 @@ data::Case case_of(const AnimateOptions& options) {
 
 Answer animate(const AnimateOptions& options, Outputs& outputs) {
   const data::Case problem = case_of(options);
-  outputs.about(problem);
+  outputs.set_case(problem);
   const double duration = problem.numerics.duration();
   if (options.frames - 1 > duration / problem.numerics.time_step() * (1.0 + 1e-12))
     throw data::FieldError(

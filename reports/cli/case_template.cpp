@@ -83,7 +83,7 @@ std::vector<CaseLine> for_shape(std::vector<CaseLine> lines) {
   return lines;
 }
 
-std::string text_of(const std::vector<CaseLine>& lines, const std::string& file) {
+std::string template_text(const std::vector<CaseLine>& lines, const std::string& file) {
   std::string text =
       fmt::format("# A beam of your own. Try: stickslip criterion {}\n", data::printable(file));
   std::string table;

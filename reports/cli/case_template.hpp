@@ -28,6 +28,6 @@ struct CaseLine {
 void set(std::vector<CaseLine>& lines, const data::Override& override);
 
 /// The file with its comments; `file` is its name.
-[[nodiscard]] std::string text_of(const std::vector<CaseLine>& lines, const std::string& file);
+[[nodiscard]] std::string template_text(const std::vector<CaseLine>& lines, const std::string& file);
 
 }  // namespace stickslip::cli

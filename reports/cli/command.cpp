@@ -20,7 +20,7 @@ void add_examples(CLI::App& command, const std::vector<std::string>& lines) {
 }
 
 void finish(Answer answer, Outputs& outputs) {
-  require_finite(answer.json);
+  require_finite(answer.json);  // JSON has no infinity: what is infinite by intent is null already
   const int status = answer.status;
   outputs.print(std::move(answer));
   if (status != 0) throw CLI::RuntimeError(status);
@@ -28,7 +28,7 @@ void finish(Answer answer, Outputs& outputs) {
 
 void throw_naming_option(const data::FieldError& error, const std::vector<data::Override>& given) {
   const auto option = std::ranges::find(given, error.field(), &data::Override::key);
-  if (option == given.end()) throw;
+  if (option == given.end()) throw;  // of the case file, which the sentence names
   throw data::InputError(fmt::format("{}: {}", option->place, error.what()));
 }
 
@@ -51,7 +51,7 @@ std::string program() { return fmt::format("stickslip {} (commit {})", version, 
 
 std::string command_line() {
   std::string words = data::read_text("/proc/self/cmdline");
-  if (!words.empty()) words.pop_back();
+  if (!words.empty()) words.pop_back();  // the last word, too, ends with a zero byte
   std::ranges::replace(words, '\0', ' ');
   return words;
 }

@@ -75,14 +75,16 @@ template <class Number>
   return value;
 }
 
-/// Accept integers from lowest to highest, numbers and finite times of 0 or more, one of some names, the name of a file, or a
-/// folder that exists: so that an error message says what is allowed. As a transform of the option integer_between() hands on decimal
-/// digits without leading zeros, number() and time(), which take a unit as a case file does, the number in SI units.
+// Validators whose message says what is allowed.
+/// An integer in this range; a transform hands it on in decimal digits without leading zeros.
 [[nodiscard]] CLI::Validator integer_between(long lowest, long highest);
+/// A number with a unit as in a case file; a transform hands it on in SI units.
 [[nodiscard]] CLI::Validator number(const std::string& unit = "", bool is_time = false);
+/// A finite number of 0 or more seconds, with a unit or without.
 [[nodiscard]] CLI::Validator time();
 [[nodiscard]] CLI::Validator one_of(const std::vector<std::string>& names);
 [[nodiscard]] CLI::Validator file_name();
+/// A folder that exists.
 [[nodiscard]] CLI::Validator folder();
 
 /// Options whose default --help shows, unless it is empty: the name of a file, an integer, one of some names.

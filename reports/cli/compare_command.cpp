@@ -14,11 +14,13 @@
 #include "command.hpp"
 #include "commands.hpp"
 #include "comparison/diagnosis/diagnosis.hpp"
+#include "comparison_json.hpp"
 #include "comparison_output.hpp"
 #include "program.hpp"
 #include "range_text.hpp"
 #include "render/criterion_map.hpp"
 #include "stickslip/data/input_text.hpp"
+#include "validation_output.hpp"
 
 namespace stickslip::cli {
 
@@ -90,6 +92,17 @@ comparison::Comparison compare(const CompareOptions& options, const data::Refere
   return result;
 }
 
+ExitStatus exit_status_of(comparison::Agreement agreement) {
+  if (agreement == comparison::Agreement::agrees) return done;
+  return agreement == comparison::Agreement::differs ? failed : undecided;
+}
+
+// Of some files the worst counts: one that cannot be compared, then one that differs.
+int severity(ExitStatus status) {
+  constexpr std::array ranking{done, undecided, failed, unusable};
+  return static_cast<int>(std::ranges::find(ranking, status) - ranking.begin());
+}
+
 Answer compared(const CompareOptions& options, Outputs& outputs) {
   if (!options.own.problem.empty()) return compared_with_case(options.name, options.own, outputs);
   if (options.own.json == "-" && options.junit == "-")
@@ -107,22 +120,19 @@ Answer compared(const CompareOptions& options, Outputs& outputs) {
   data::ReferencePackage package;
   if (!std::ranges::all_of(runs, is_own_run)) package = data::load_reference(options.package);
   report::Progress& progress = outputs.progress(": known mistakes");
-  // By the place of the agreement in its list; a file that cannot be compared is the worst, then what differs.
-  constexpr std::array statuses{done, failed, undecided, unusable};
-  constexpr std::array ranks{0, 2, 1, 3};
-  std::size_t worst = 0;
+  ExitStatus worst = done;
   std::vector<Judged> all;
   for (const CompareOptions& run : runs) {
     Judged& one = all.emplace_back(Judged{.name = run.name, .file = run.file});
     const auto before = static_cast<double>(all.size() - 1), total = static_cast<double>(runs.size());
-    std::size_t place = 3;
+    ExitStatus status = unusable;
     try {
       one.comparison = compare(run, package, [&](double share) { progress((before + share) / total); });
-      place = static_cast<std::size_t>(one.comparison->agreement);
+      status = exit_status_of(one.comparison->agreement);
     } catch (const data::InputError& error) {
       one.refusal = error.what();
     }
-    if (ranks.at(place) > ranks.at(worst)) worst = place;
+    worst = std::max(worst, status, [](ExitStatus a, ExitStatus b) { return severity(a) < severity(b); });
   }
   outputs.write("--junit", [&] { return junit_of(all); });
   const bool is_one = options.manifest.empty();
@@ -136,7 +146,7 @@ Answer compared(const CompareOptions& options, Outputs& outputs) {
   outputs.draw(options.name,
                [&](const report::Look& look) { return report::draw(*all.front().comparison, look); });
   Answer answer;
-  answer.status = statuses.at(worst);
+  answer.status = worst;
   return answer;
 }
 

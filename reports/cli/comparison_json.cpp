@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "comparison_output.hpp"
+#include "comparison_json.hpp"
 
 namespace stickslip::cli {
 

@@ -43,7 +43,7 @@ std::string reason_of(const Comparison::Quantity& quantity) {
 }
 
 // The verdict on each sequence of events, with the first thing that differs in it.
-Table table_of(const std::vector<Comparison>& parts) {
+Table part_table(const std::vector<Comparison>& parts) {
   Table table{.columns = {{"part", ""}, {"verdict", ""}, {"level", ""}, {"worst", ""}}, .rows = {}};
   for (const Comparison& part : parts) {
     const auto worst = std::ranges::find(part.quantities, part.agreement, &Comparison::Quantity::agreement);
@@ -56,7 +56,7 @@ Table table_of(const std::vector<Comparison>& parts) {
   return table;
 }
 
-Table table_of(const std::vector<Comparison::Quantity>& quantities) {
+Table quantity_table(const std::vector<Comparison::Quantity>& quantities) {
   Table table;
   for (const char* header :
        {"quantity", "norm", "compared", "error", "at", "uncertainty", "tolerance", "verdict"})
@@ -144,8 +144,8 @@ std::string text_of(const std::vector<Judged>& all) {
 
 std::string text_of(const Comparison& comparison) {
   std::string text = fmt::format("{}: {}\n\n", comparison.name, comparison.title);
-  text += table_of(comparison.quantities).text() + "\n";
-  if (!comparison.parts.empty()) text += table_of(comparison.parts).text() + "\n";
+  text += quantity_table(comparison.quantities).text() + "\n";
+  if (!comparison.parts.empty()) text += part_table(comparison.parts).text() + "\n";
   for (const auto& quantity : comparison.quantities)
     if (const std::string skipped = skipped_of(quantity); !skipped.empty())
       text += fmt::format("{}: not compared: {}\n", quantity.name, skipped);

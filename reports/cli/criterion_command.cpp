@@ -96,7 +96,7 @@ void add_outlook(Answer& answer, const studies::CriterionAnswer& found, double f
                                best->factor, best->margin, data::shortest_text(frequency_hz))}});
 }
 
-Answer answer_of(const data::Case& problem, const studies::CriterionAnswer& found) {
+Answer answer_for_one(const data::Case& problem, const studies::CriterionAnswer& found) {
   Answer answer;
   const data::Damping& damping = problem.damping;
   const bool is_damped = !damping.is_none();
@@ -154,7 +154,7 @@ Answer table_of_cases(const CriterionOptions& options, Outputs& outputs) {
                                              {"", "force_lower_N"},
                                              {"", "force_upper_N"},
                                              {"steady |f| / N", "steady_force_N"}});
-  if (cases.size() == 1) outputs.about(load_case(options.problem));
+  if (cases.size() == 1) outputs.set_case(load_case(options.problem));
   outputs.open({{"--output", options.output}});
   const std::size_t rows = cases.size() * points.size();
   report::Progress& progress = outputs.progress("", rows);
@@ -186,10 +186,10 @@ Answer criterion(const CriterionOptions& options, Outputs& outputs) {
   if (!options.more.empty() || !options.plan.empty() || !options.output.empty())
     return table_of_cases(options, outputs);
   const data::Case problem = case_of(options.problem);
-  outputs.about(problem);
+  outputs.set_case(problem);
   outputs.open({{"--figure", options.figure}});
   const auto found = studies::criterion_answer(problem);
-  Answer answer = answer_of(problem, found);
+  Answer answer = answer_for_one(problem, found);
   answer.warnings = warnings_about(problem, found.all_modes.verdict, found.bending);
   require_finite(answer.json);
   outputs.draw(problem.name, [&](const report::Look& look) {

@@ -90,7 +90,7 @@ Value resonances_of(const std::vector<studies::Resonance>& resonances) {
   return value;
 }
 
-Answer answer_of(const data::Case& problem, const studies::Design& design) {
+Answer design_answer(const data::Case& problem, const studies::Design& design) {
   const auto& [force, limit, margin_bounds, worst_hz, evaluations, resonances, steady_margin] = design.margin;
   Answer answer(34);
   add_excitation(answer, problem, design.band);
@@ -127,13 +127,13 @@ Answer design(const DesignOptions& options, Outputs& outputs) {
   problem.numerics = numerics_up_to(ranges.band.upper, problem);
   for (const double length : {problem.beam().length(), ranges.lengths.lower})
     studies::require_feasible(at_the_end_of(problem, ranges.band, length));
-  outputs.about(problem);
+  outputs.set_case(problem);
   outputs.open({});
   report::Progress& progress = outputs.progress();
   const auto found = studies::design(
       problem, {ranges.band.lower, ranges.band.upper}, ranges.lengths, ranges.forces,
       [&](std::string_view stage) { progress.stage(stage); }, std::ref(progress));
-  Answer answer = answer_of(problem, found);
+  Answer answer = design_answer(problem, found);
   answer.warnings =
       sentences_of(studies::design_warnings(at_the_end_of(problem, ranges.band, problem.beam().length())));
   if (found.margin.margin.lower < 1.0)

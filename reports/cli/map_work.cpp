@@ -71,7 +71,7 @@ void add_cells(const studies::CriterionMap& map, const std::string& place, Outpu
 }  // namespace
 
 Answer made_map(const studies::MapTask& task, Outputs& outputs) {
-  outputs.about(task.problem);
+  outputs.set_case(task.problem);
   report::Progress& progress = outputs.progress("", studies::evaluation_count(task));
   const studies::CriterionMap map = studies::criterion_map(task, [&](double share) { progress(share); });
   const report::CsvTable table = report::table_of(task.problem, map);
@@ -105,7 +105,7 @@ Answer cost_of_map(const studies::MapTask& task, Outputs& outputs) {
   if (cells == 0)
     throw data::FieldError("--shard", fmt::format("{}/{}", task.part.part, task.part.parts),
                            fmt::format("of at most {} parts, the cells of this map", all));
-  outputs.about(task.problem);
+  outputs.set_case(task.problem);
   outputs.open({});
   const studies::MapEstimate estimate = studies::map_estimate(task);
   Answer answer;

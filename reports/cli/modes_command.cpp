@@ -49,8 +49,8 @@ std::string drawing(const data::Case& problem, const ModesOptions& options,
   return report::drawing_of("modes", look, {{"modes.csv", table.text()}});
 }
 
-Answer answer_of(const data::Case& problem, const ModesOptions& options,
-                 const std::vector<studies::EstimatedFrequency>& frequencies) {
+Answer modes_answer(const data::Case& problem, const ModesOptions& options,
+                    const std::vector<studies::EstimatedFrequency>& frequencies) {
   Answer answer;
   answer.add_members({{"state", options.state}, {"method", options.method}});
   if (options.is_mesh()) answer.add_members({{"elements", problem.numerics.elements()}});
@@ -74,14 +74,14 @@ Answer answer_of(const data::Case& problem, const ModesOptions& options,
 
 Answer modes(const ModesOptions& options, Outputs& outputs) {
   const data::Case problem = load_case(options.problem);
-  outputs.about(problem);
+  outputs.set_case(problem);
   outputs.open({{"--figure", options.figure}});
   if (outputs.has("--figure") && options.count > most_drawn)
     throw data::FieldError("--count", options.count, fmt::format("at most {} with --figure", most_drawn));
   const auto frequencies =
       options.is_mesh() ? studies::mesh_frequencies(problem, options.tip(), options.count)
                         : studies::closed_form_frequencies(problem.beam(), options.tip(), options.count);
-  Answer answer = answer_of(problem, options, frequencies);
+  Answer answer = modes_answer(problem, options, frequencies);
   answer.warnings = sentences_of(studies::frequency_warnings(problem.beam(), options.tip(), options.count));
   require_finite(answer.json);
   outputs.draw(problem.name,

@@ -27,7 +27,7 @@ struct NewOptions {
 
 // Throws data::InputError if the lines are no case.
 void require_case(const std::vector<CaseLine>& lines, const std::string& file) {
-  (void)data::parse_case(file, text_of(for_shape(lines), file));
+  (void)data::parse_case(file, template_text(for_shape(lines), file));
 }
 
 // Asks until the value is one that the case may have; an empty answer keeps it.
@@ -71,7 +71,7 @@ Answer new_case(const NewOptions& options, Outputs& outputs) {
   require_case(lines, options.file);
   if (options.ask || at_a_terminal) ask_all(lines, options.file);
   outputs.open({{"FILE", options.file}});
-  outputs.write("FILE", [&] { return text_of(for_shape(lines), options.file); });
+  outputs.write("FILE", [&] { return template_text(for_shape(lines), options.file); });
   Answer answer;
   answer.add_line(fmt::format("{0} written; whether it slips: stickslip criterion {0}", options.file));
   return answer;

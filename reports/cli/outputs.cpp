@@ -26,7 +26,7 @@ bool has_flag(const CLI::App& command, const std::string& name) {
 }
 
 // The value of an option that is given.
-std::optional<std::string> text_of(const CLI::App& command, const std::string& name) {
+std::optional<std::string> option_text(const CLI::App& command, const std::string& name) {
   const CLI::Option* const option = command.get_option_no_throw(name);
   if (option == nullptr || option->count() == 0) return std::nullopt;
   return option->results().back();
@@ -62,20 +62,20 @@ Outputs::Outputs(const CLI::App& command)
       head_{{"program", program()}, {"command", command_line()}} {
   for (const CLI::App* app = &command; app != nullptr; app = app->get_parent())
     is_quiet_ = is_quiet_ || has_flag(*app, "--quiet");
-  look_.title = text_of(command, "--title").value_or("");
-  if (const auto size = text_of(command, "--size")) look_.size_cm = size_in(*size);
+  look_.title = option_text(command, "--title").value_or("");
+  if (const auto size = option_text(command, "--size")) look_.size_cm = size_in(*size);
 }
 
 Outputs::~Outputs() = default;
 
-void Outputs::about(const data::Case& problem) {
+void Outputs::set_case(const data::Case& problem) {
   beam_ = beam_line(problem);
   head_.update({{"case", problem.name}, {"problem", problem_json(problem)}});
 }
 
 void Outputs::open(const std::vector<Named>& files) {
   require_compatible(files, is_json_);
-  interruption_.emplace([this] { return last_words(); });
+  interruption_.emplace([this] { return interruption_message(); });
   for (const Named& name : files) {
     if (name.path.empty()) continue;
     if (name.option == "--figure") {
@@ -84,22 +84,22 @@ void Outputs::open(const std::vector<Named>& files) {
       report::require_tool("gnuplot");
     }
     // A signal finds a file in the list, or none; what waits for the reader of a pipe leaves none.
-    auto undisturbed = hold();
-    if (data::is_no_regular_file(name.path)) undisturbed.unlock();
+    auto lock = block_interruption();
+    if (data::is_no_regular_file(name.path)) lock.unlock();
     std::list<Open> opened;
     opened.emplace_back(name);
-    if (!undisturbed) undisturbed.lock();
+    if (!lock) lock.lock();
     files_.splice(files_.end(), opened);
   }
 }
 
 void Outputs::on_interrupt(std::function<std::string()> sentence) {
-  const auto undisturbed = hold();
+  const auto lock = block_interruption();
   sentence_ = std::move(sentence);
 }
 
 report::Progress& Outputs::progress(std::string_view part, std::size_t items) {
-  const auto undisturbed = hold();
+  const auto lock = block_interruption();
   const bool shares_terminal = takes_standard_output() && ::isatty(STDOUT_FILENO) == 1;
   return progress_.emplace(fmt::format("stickslip {}{}", command_, part),
                            report::Progress::standard_error(is_quiet_ || shares_terminal), items);
@@ -121,7 +121,7 @@ data::AtomicFile& Outputs::file(std::string_view option) {
 }
 
 void Outputs::commit(std::string_view option) {
-  const auto undisturbed = hold();
+  const auto lock = block_interruption();
   file(option).commit();
   find(option)->is_written = true;
 }
@@ -135,7 +135,7 @@ void Outputs::write(std::string_view option, const std::function<std::string()>&
   Open* const open = find(option);
   if (open == nullptr) return;
   if (progress_ && open->name.path == "-") progress_->finish();
-  const auto undisturbed = hold();
+  const auto lock = block_interruption();
   open->file.write(text());
   open->file.commit();
   open->is_written = true;
@@ -179,7 +179,7 @@ bool Outputs::takes_standard_output() const {
   return std::ranges::any_of(files_, [](const Open& open) { return open.name.path == "-"; });
 }
 
-std::string Outputs::last_words() {
+std::string Outputs::interruption_message() {
   if (progress_) progress_->finish();
   for (const Open& open : files_) open.file.discard();
   if (const std::string paths = written(); !paths.empty())

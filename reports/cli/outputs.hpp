@@ -36,7 +36,7 @@ class Outputs {
   Outputs& operator=(const Outputs&) = delete;
 
   /// The case that the answer is of: the text begins with its beam, and JSON has all its numbers.
-  void about(const data::Case& problem);
+  void set_case(const data::Case& problem);
 
   /// Opens the files that have a name, before the work whose results they are to hold. From here on Ctrl-C and SIGTERM end the
   /// program in good order. Throws data::InputError if two options name the same file, if --json and a file both want standard
@@ -75,8 +75,8 @@ class Outputs {
   void draw(const std::string& title, const std::function<std::string(const report::Look&)>& drawing);
 
   /// No signal ends the program while the result lives. Nothing is there to be left half-written before open().
-  [[nodiscard]] std::unique_lock<std::mutex> hold() {
-    return interruption_ ? interruption_->hold() : std::unique_lock<std::mutex>();
+  [[nodiscard]] std::unique_lock<std::mutex> block_interruption() {
+    return interruption_ ? interruption_->block_interruption() : std::unique_lock<std::mutex>();
   }
 
   [[nodiscard]] bool is_json() const noexcept { return is_json_; }
@@ -93,7 +93,7 @@ class Outputs {
 
   [[nodiscard]] Open* find(std::string_view option);
   [[nodiscard]] bool takes_standard_output() const;
-  [[nodiscard]] std::string last_words();
+  [[nodiscard]] std::string interruption_message();
 
   std::string command_;
   bool is_json_{}, is_quiet_{};

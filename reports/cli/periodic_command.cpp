@@ -65,7 +65,7 @@ Answer periodic_motion(const PeriodicOptions& options, Outputs& outputs) {
     throw data::FieldError("--periods", options.periods, "1 where excitation.amplitude is 0: the base rests");
   const studies::Method& method = studies::event_driven();
   method.require_feasible(problem);
-  outputs.about(problem);
+  outputs.set_case(problem);
   outputs.open({});
   outputs.progress().stage("following the motion until it settles");
   Answer answer(34);

@@ -24,7 +24,7 @@ namespace stickslip::cli {
 
 namespace {
 
-int told(const std::string& sentence, ExitStatus status) {
+int report_error(const std::string& sentence, ExitStatus status) {
   report::tell("stickslip", sentence);
   return status;
 }
@@ -99,7 +99,7 @@ void use_allowed_processors() {
 
 int run(int argc, const char* const* argv) {
   use_allowed_processors();
-  data::protect_inputs(true);
+  data::protect_inputs(true);  // an output must not overwrite a file that the command has read
   CLI::App app("Friction-driven vibration of beams, in closed form and by finite elements", "stickslip");
   add_commands(app);
   try {
@@ -107,12 +107,12 @@ int run(int argc, const char* const* argv) {
     require_subcommand(app);
   } catch (const CLI::Success& request) {  // --help, --version
     app.exit(request);
-  } catch (const CLI::RuntimeError& outcome) {
+  } catch (const CLI::RuntimeError& outcome) {  // of finish(): a verdict, nothing went wrong
     return outcome.get_exit_code();
   } catch (const CLI::ParseError& error) {
     throw data::InputError(sentence_for(app, error));
   }
-  std::cout.flush();
+  std::cout.flush();  // a full disk shows here at the earliest
   if (std::fflush(stdout) != 0 || !std::cout) throw data::OutputError("standard output cannot be written");
   return done;
 }
@@ -124,19 +124,19 @@ int exit_status_of(const std::function<int()>& work) {
     return work();
   } catch (const data::InputErrors& errors) {
     std::istringstream lines(errors.what());
-    for (std::string line; std::getline(lines, line);) told(line, unusable);
+    for (std::string line; std::getline(lines, line);) report_error(line, unusable);
     return unusable;
   } catch (const data::InputError& error) {
-    return told(error.what(), unusable);
+    return report_error(error.what(), unusable);
   } catch (const data::OutputError& error) {
-    return told(error.what(), unusable);
-  } catch (const std::logic_error& error) {
-    return told(fmt::format("this is a mistake in stickslip itself, not in the input: {}", error.what()),
-                failed);
+    return report_error(error.what(), unusable);
+  } catch (const std::logic_error& error) {  // InputError is one as well, and came before
+    return report_error(
+        fmt::format("this is a mistake in stickslip itself, not in the input: {}", error.what()), failed);
   } catch (const std::bad_alloc&) {
-    return told("the memory does not suffice for this problem", failed);
+    return report_error("the memory does not suffice for this problem", failed);
   } catch (const std::exception& error) {
-    return told(error.what(), failed);
+    return report_error(error.what(), failed);
   }
 }
 

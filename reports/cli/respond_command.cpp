@@ -23,8 +23,8 @@ struct RespondOptions {
   HistoryOptions history;
 };
 
-Answer answer_of(const data::Case& problem, const RespondOptions& options, const studies::Method& method,
-                 const studies::History& history, const HistoryOutput& output) {
+Answer respond_answer(const data::Case& problem, const RespondOptions& options, const studies::Method& method,
+                      const studies::History& history, const HistoryOutput& output) {
   Answer answer;
   answer.add_members({{"method", method.name}});
   add_excitation(answer, problem);
@@ -65,7 +65,7 @@ Answer respond(const RespondOptions& options, Outputs& outputs) {
   if (!options.history.events.empty()) method.require(data::Feature::slip, "--method", method.name);
   method.require(problem, run);
   studies::require_held_growth(problem, method);
-  outputs.about(problem);
+  outputs.set_case(problem);
   HistoryOutput output(problem, options.history, outputs);
   outputs.on_interrupt([&] {
     return fmt::format("interrupted at {} s of {} s; {}", data::shortest_text(output.time()),
@@ -83,7 +83,7 @@ Answer respond(const RespondOptions& options, Outputs& outputs) {
   const auto history =
       method.run(problem, sampling, run, [&](const studies::HistoryRow& row) { output.add(row, step); });
   output.finish(history);
-  Answer answer = answer_of(problem, options, method, history, output);
+  Answer answer = respond_answer(problem, options, method, history, output);
   answer.warnings = studies::warnings_after(problem, method, history, run);
   add_warning(answer, studies::row_warning(problem, method, step, output.row_step()));
   if (options.scheme && *options.scheme != "located")
@@ -122,7 +122,7 @@ void add_options(CLI::App& command, RespondOptions& options) {
   command
       .add_option(
           "--scheme", options.scheme,
-          "When the contact changes: located inside the step, at the end of the step, or by the letter of "
+          "When the contact changes: located inside the step, at the end of the step, or as printed in "
           "the paper (threshold, no impulse); the last two show what the first is worth (default: located)")
       ->check(one_of({"end-of-step", "located", "paper"}));
   add_duration_option(command, options.problem);

@@ -38,7 +38,7 @@ Value limit_of(const std::optional<double>& value) {
   return std::isfinite(*value) ? rounded(*value, 6) : Value{nullptr, "every speed"};
 }
 
-Table table_of(const std::vector<studies::SquealMode>& modes) {
+Table modes_table(const std::vector<studies::SquealMode>& modes) {
   Table table{.columns = {{"mode", "", 5},
                           {"f / Hz", "frequency_hz", 13},
                           {"damping", "damping_ratio", 12},
@@ -84,7 +84,7 @@ void add_verdict(Answer& answer, const studies::Squeal& squeal) {
                                   : ""));
 }
 
-Answer answer_of(const studies::Squeal& squeal, const studies::Cycle& cycle) {
+Answer squeal_answer(const studies::Squeal& squeal, const studies::Cycle& cycle) {
   Answer answer(34);
   const Value mesh = rounded(squeal.finite_element_displacement, 7),
               tip = rounded(squeal.tip_displacement, 7);
@@ -97,7 +97,7 @@ Answer answer_of(const studies::Squeal& squeal, const studies::Cycle& cycle) {
   answer.add_members({{"tip_displacement_m", tip.json}, {"finite_element_tip_displacement_m", mesh.json}});
   answer.add_row({"falling slope / (N s/m)", "falling_slope_Ns_per_m", rounded(squeal.slope, 7)});
   answer.add_line();
-  answer.add_table("modes", table_of(squeal.modes));
+  answer.add_table("modes", modes_table(squeal.modes));
 
   add_verdict(answer, squeal);
   answer.text += "from rest on the wall: ";
@@ -143,11 +143,11 @@ Answer steady_sliding(const SquealOptions& options, Outputs& outputs) {
     ratios = parse_values("--ratios", "damping.ratio", options.ratios, options.count);
     (void)with_value(problem, "damping.ratio", ratios.back());
   }
-  outputs.about(problem);
+  outputs.set_case(problem);
   outputs.open({{"--map", options.map}, {"--figure", options.figure}});
   report::Progress& progress = outputs.progress();
   progress.stage("following the motion from rest");
-  Answer answer = answer_of(squeal, studies::limit_cycle_of(problem, options.settle));
+  Answer answer = squeal_answer(squeal, studies::limit_cycle_of(problem, options.settle));
   answer.warnings = sentences_of(studies::history_warnings(problem, studies::event_driven()));
   add_warning(answer, studies::deflection_warning(problem.beam(), squeal.tip_displacement));
   require_finite(answer.json);

@@ -33,7 +33,8 @@ const std::map<std::string, studies::SweepDirection> directions{{"up", studies::
                                                                 {"down", studies::SweepDirection::down},
                                                                 {"both", studies::SweepDirection::both}};
 
-report::CsvTable table_of(const studies::SweepTask& task, const std::vector<studies::SweepPoint>& points) {
+report::CsvTable sections_table(const studies::SweepTask& task,
+                                const std::vector<studies::SweepPoint>& points) {
   report::CsvTable table("Poincare section of the tip for the case " + task.problem.name,
                          fmt::format("direction [-], {}, tip_displacement_m [m], tip_velocity_m_per_s [m/s], "
                                      "friction_force_N [N], period [1]",
@@ -70,8 +71,8 @@ studies::SweepTask sweep_task(const SweepOptions& options) {
           .periods = options.periods};
 }
 
-Answer answer_of(const studies::SweepTask& task, const std::vector<studies::SweepPoint>& points,
-                 const SweepOptions& options) {
+Answer sweep_answer(const studies::SweepTask& task, const std::vector<studies::SweepPoint>& points,
+                    const SweepOptions& options) {
   Answer answer;
   const bool has_both = task.direction == studies::SweepDirection::both;
   const auto [moving, resting] = has_both ? studies::hysteresis_of(points) : studies::Hysteresis{};
@@ -102,14 +103,14 @@ Answer answer_of(const studies::SweepTask& task, const std::vector<studies::Swee
 
 Answer sweep(const SweepOptions& options, Outputs& outputs) {
   const studies::SweepTask task = sweep_task(options);
-  outputs.about(task.problem);
+  outputs.set_case(task.problem);
   outputs.open({{"--output", options.output}, {"--figure", options.figure}});
   report::Progress& progress = outputs.progress();
   const auto points = studies::parameter_sweep(task, [&](double share) { progress(share); });
-  const report::CsvTable table = table_of(task, points);
+  const report::CsvTable table = sections_table(task, points);
   outputs.write_table("--output", [&] { return table.text(); });
   outputs.draw(task.problem.name, [&](const report::Look& look) { return drawn(table, task, look); });
-  return answer_of(task, points, options);
+  return sweep_answer(task, points, options);
 }
 
 void add_options(CLI::App& command, SweepOptions& options) {

@@ -27,10 +27,10 @@ struct UncertaintyOptions {
 constexpr int digits = 4;
 
 Value margin_of(const std::optional<double>& margin) {
-  return {optional_json(margin), margin ? significant(*margin, digits) : "no beam"};
+  return {optional_json(margin), margin ? significant(*margin, digits) : "inadmissible"};
 }
 
-// What is asked, and how the samples came out.
+// Settings and counts of the sampling.
 void add_samples(Answer& answer, const data::Case& problem, const UncertaintyOptions& options,
                  const studies::SlipUncertainty& result) {
   const auto& band = options.sampling.band;
@@ -54,7 +54,7 @@ void add_samples(Answer& answer, const data::Case& problem, const UncertaintyOpt
                           {"probability_of_slip", probability.json}}}});
   }
   for (const auto& [reason, count] : result.invalid)
-    answer.add_row("samples that are no beam", {fmt::format("{}: {}", count, reason)});
+    answer.add_row("inadmissible samples", {fmt::format("{}: {}", count, reason)});
   answer.add_members({{"samples", options.sampling.samples},
                       {"seed", options.sampling.seed},
                       {"valid_samples", result.valid},
@@ -64,7 +64,8 @@ void add_samples(Answer& answer, const data::Case& problem, const UncertaintyOpt
                       {"probability_upper", result.probability_of_slip.upper}});
 }
 
-Table table_of(const data::Case& problem, const std::vector<studies::SlipUncertainty::Quantile>& quantiles) {
+Table quantile_table(const data::Case& problem,
+                     const std::vector<studies::SlipUncertainty::Quantile>& quantiles) {
   const auto [unit, scale, column] = shown_amplitude(problem);
   Table table{
       .columns = {{"quantile", "probability", 28},
@@ -78,7 +79,7 @@ Table table_of(const data::Case& problem, const std::vector<studies::SlipUncerta
   return table;
 }
 
-Table table_of(const studies::SlipUncertainty& result) {
+Table key_table(const studies::SlipUncertainty& result) {
   const auto& sensitivity = result.sensitivity;
   std::size_t longest = 26;
   for (const auto& row : result.tornado) longest = std::max(longest, row.key.size());
@@ -125,8 +126,8 @@ std::string advice(Answer& answer, const studies::SlipUncertainty& result) {
                      best->factor, best->margin);
 }
 
-Answer answer_of(const data::Case& problem, const UncertaintyOptions& options,
-                 const studies::SlipUncertainty& result) {
+Answer uncertainty_answer(const data::Case& problem, const UncertaintyOptions& options,
+                          const studies::SlipUncertainty& result) {
   Answer answer;
   add_samples(answer, problem, options, result);
   const double margin = result.nominal_margin;
@@ -134,9 +135,9 @@ Answer answer_of(const data::Case& problem, const UncertaintyOptions& options,
                   "margin_of_case",
                   {margin, significant(margin, digits) + (margin < 1.0 ? ": slips" : ": sticks")}});
   answer.add_line();
-  answer.add_table("quantiles", table_of(problem, result.quantiles));
+  answer.add_table("quantiles", quantile_table(problem, result.quantiles));
   answer.add_line();
-  answer.add_table("keys", table_of(result));
+  answer.add_table("keys", key_table(result));
   if (result.sensitivity) answer.add_members({{"index_rows_dropped", result.sensitivity->dropped}});
   answer.add_line("\n" + advice(answer, result));
   const char* indices = result.sensitivity ? "The indices are shares in the variance of log(margin)."
@@ -159,11 +160,11 @@ Answer slip_probability(const UncertaintyOptions& given, Outputs& outputs) {
   }
   problem = studies::stated_as(problem, uncertainty);
   studies::require_feasible(problem);
-  outputs.about(problem);
+  outputs.set_case(problem);
   outputs.open({{"--figure", options.figure}});
   const studies::SlipUncertainty result =
       studies::slip_uncertainty(problem, uncertainty, options.sampling, std::ref(outputs.progress()));
-  Answer answer = answer_of(problem, options, result);
+  Answer answer = uncertainty_answer(problem, options, result);
   answer.warnings =
       sentences_of(options.band ? studies::design_warnings(problem) : studies::criterion_warnings(problem));
   outputs.draw(problem.name, [&](const report::Look& look) { return report::draw(result, look); });

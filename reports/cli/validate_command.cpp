@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "commands.hpp"
-#include "comparison_output.hpp"
 #include "program.hpp"
 #include "render/studies.hpp"
+#include "validation_output.hpp"
 
 namespace stickslip::cli {
 
@@ -37,7 +37,7 @@ std::string predictions_now() {
   return text;
 }
 
-Table table_of(const std::vector<validation::Bias>& biases) {
+Table bias_table(const std::vector<validation::Bias>& biases) {
   Table table =
       table_with("experiment quantity model points resolved zero_outside bias_percent spread_percent");
   for (const auto& one : biases)
@@ -59,7 +59,7 @@ Answer validated(const ValidateOptions& options, Outputs& outputs) {
   Answer answer;
   add_comparisons(answer, comparisons);
   answer.add_line("\nBias and spread: mean and standard deviation of E/D over all set points");
-  answer.add_table("bias", table_of(validation::biases(comparisons)));
+  answer.add_table("bias", bias_table(validation::biases(comparisons)));
   const auto absent =
       options.raw.empty() ? std::vector<std::string>{} : validation::experiments_without_records(options.raw);
   for (const std::string& experiment : absent)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "comparison_output.hpp"
+#include "validation_output.hpp"
 
 #include <fmt/format.h>
 
@@ -72,7 +72,7 @@ Answer compared_with_case(const std::string& file, const OwnComparison& options,
                       {"dropped_samples", result.dropped}});
   add_comparisons(answer, result.comparisons);
   if (result.dropped > 0)
-    answer.add_line(fmt::format("{} samples are no beam and count in no u_input.", result.dropped));
+    answer.add_line(fmt::format("{} samples are inadmissible and count in no u_input.", result.dropped));
   if (!result.has_uncertainty) answer.add_line("The case has no table [uncertainty]: u_input is 0.");
   require_finite(answer.json);
   outputs.write("the table", [&] { return answer.text; });

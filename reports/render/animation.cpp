@@ -150,7 +150,7 @@ void write_animation(const data::Case& problem, const AnimationOptions& options)
     film->write(
         data::read_text(draw_in_scratch("film", {.format = "gif"}, "../", {"film.gif"}, output).front()));
   }
-  const auto undisturbed = interruption.hold();
+  const auto lock = interruption.block_interruption();
   if (film) return film->commit();
   for (const fs::path& frame : frames) output.publish(frame);
 }

@@ -32,7 +32,8 @@ void note(int signal) {
 
 }  // namespace
 
-Interruption::Interruption(std::function<std::string()> last_words) : last_words_(std::move(last_words)) {
+Interruption::Interruption(std::function<std::string()> interruption_message)
+    : interruption_message_(std::move(interruption_message)) {
   arrived = 0;
   ::sem_init(&arrival, 0, 0);
   try {
@@ -62,9 +63,9 @@ void Interruption::wait_for_signal() {
   while (::sem_wait(&arrival) != 0 && errno == EINTR) continue;
   const int signal = arrived;
   if (signal == 0) return;  // the work is done
-  end_tools();              // whoever waits for one may be undisturbed
+  end_tools();              // whoever waits for one may be lock
   const std::lock_guard lock(guard_);
-  tell(::program_invocation_short_name, last_words_());
+  tell(::program_invocation_short_name, interruption_message_());
   std::_Exit(128 + signal);
 }
 

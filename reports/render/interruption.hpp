@@ -12,7 +12,7 @@
 namespace stickslip::report {
 
 /// While it lives, Ctrl-C (SIGINT), SIGTERM and SIGHUP end the program in good order, and first the one that it runs
-/// (run_tool()): `last_words` removes what is not finished and returns one sentence on what is, which is printed on standard error after the program's name.
+/// (run_tool()): `interruption_message` removes what is not finished and returns one sentence on what is, which is printed on standard error after the program's name.
 /// Then the program ends with the exit status 128 + n for signal n. A second signal ends it at once. A signal
 /// that is ignored stays ignored. Only one may live at a time.
 ///
@@ -20,20 +20,20 @@ namespace stickslip::report {
 /// computations, some of which take minutes in one call, need not ask whether a signal has come.
 class Interruption {
  public:
-  /// `last_words` is called on the thread that waits. Throws std::system_error if there is no thread to be
+  /// `interruption_message` is called on the thread that waits. Throws std::system_error if there is no thread to be
   /// had.
-  explicit Interruption(std::function<std::string()> last_words);
+  explicit Interruption(std::function<std::string()> interruption_message);
   ~Interruption();
   Interruption(const Interruption&) = delete;
   Interruption& operator=(const Interruption&) = delete;
 
-  /// `last_words` is not called while the result lives.
-  [[nodiscard]] std::unique_lock<std::mutex> hold() { return std::unique_lock(guard_); }
+  /// `interruption_message` is not called while the result lives.
+  [[nodiscard]] std::unique_lock<std::mutex> block_interruption() { return std::unique_lock(guard_); }
 
  private:
   void wait_for_signal();
 
-  std::function<std::string()> last_words_;
+  std::function<std::string()> interruption_message_;
   std::array<struct sigaction, 3> previous_{};  // of SIGINT, SIGTERM and SIGHUP
   std::mutex guard_;
   std::thread watcher_;

@@ -47,7 +47,7 @@ ProgressStyle progress_style_of(int descriptor) {
   return in_a_file ? ProgressStyle::lines : ProgressStyle::silent;
 }
 
-Progress::Surroundings Progress::standard_error(bool quiet) {
+Progress::ProgressSink Progress::standard_error(bool quiet) {
   return {.style = quiet ? ProgressStyle::silent : progress_style_of(STDERR_FILENO),
           .write =
               [](std::string_view text) {
@@ -57,36 +57,36 @@ Progress::Surroundings Progress::standard_error(bool quiet) {
           .now = Clock::now};
 }
 
-Progress::Progress(std::string job, Surroundings surroundings, std::size_t items)
+Progress::Progress(std::string job, ProgressSink sink, std::size_t items)
     : job_(std::move(job)),
-      surroundings_(std::move(surroundings)),
+      sink_(std::move(sink)),
       items_(items),
-      begin_(surroundings_.now()),
-      shown_(begin_ - (surroundings_.style == ProgressStyle::bar ? Clock::duration(between_bars)
-                                                                 : Clock::duration::zero())) {}
+      begin_(sink_.now()),
+      shown_(begin_ -
+             (sink_.style == ProgressStyle::bar ? Clock::duration(between_bars) : Clock::duration::zero())) {}
 
 Progress::~Progress() { finish(); }
 
 void Progress::operator()(double share) {
   const std::lock_guard lock(guard_);
   share_ = share;
-  const auto now = surroundings_.now();
-  const bool is_bar = surroundings_.style == ProgressStyle::bar;
+  const auto now = sink_.now();
+  const bool is_bar = sink_.style == ProgressStyle::bar;
   if (now - shown_ >= (is_bar ? Clock::duration(between_bars) : Clock::duration(between_lines))) show(now);
 }
 
 void Progress::stage(std::string_view what) {
   const std::lock_guard lock(guard_);
   stage_ = what;
-  const auto now = surroundings_.now();
-  if (surroundings_.style == ProgressStyle::bar || now - shown_ >= between_lines) show(now);
+  const auto now = sink_.now();
+  if (sink_.style == ProgressStyle::bar || now - shown_ >= between_lines) show(now);
 }
 
 void Progress::finish() {
   const std::lock_guard lock(guard_);
-  if (on_screen_) surroundings_.write(erased_line);
+  if (on_screen_) sink_.write(erased_line);
   on_screen_ = false;
-  surroundings_.style = ProgressStyle::silent;
+  sink_.style = ProgressStyle::silent;
 }
 
 double Progress::share() const {
@@ -95,10 +95,10 @@ double Progress::share() const {
 }
 
 void Progress::show(Clock::time_point now) {
-  if (surroundings_.style == ProgressStyle::silent) return;
+  if (sink_.style == ProgressStyle::silent) return;
   shown_ = now;
-  on_screen_ = surroundings_.style == ProgressStyle::bar;
-  surroundings_.write(on_screen_ ? bar(now) : line(now));
+  on_screen_ = sink_.style == ProgressStyle::bar;
+  sink_.write(on_screen_ ? bar(now) : line(now));
 }
 
 std::string Progress::bar(Clock::time_point now) const {

@@ -29,15 +29,15 @@ class Progress {
   using Clock = std::chrono::steady_clock;
 
   /// What progress is told to and when; by default standard error, and now.
-  struct Surroundings {
+  struct ProgressSink {
     ProgressStyle style{};
     std::function<void(std::string_view)> write;
     std::function<Clock::time_point()> now;
   };
-  [[nodiscard]] static Surroundings standard_error(bool quiet);
+  [[nodiscard]] static ProgressSink standard_error(bool quiet);
 
   /// `job` is named in front; with a number of items the rate is items, else per cent, per second.
-  Progress(std::string job, Surroundings surroundings, std::size_t items = 0);
+  Progress(std::string job, ProgressSink sink, std::size_t items = 0);
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
@@ -60,7 +60,7 @@ class Progress {
   [[nodiscard]] std::string pace(Clock::time_point now, std::string_view separator) const;
 
   std::string job_;
-  Surroundings surroundings_;
+  ProgressSink sink_;
   std::size_t items_;
   mutable std::mutex guard_;
   Clock::time_point begin_, shown_;

@@ -136,7 +136,7 @@ Results::Results(std::function<void(const std::string&)> announce, std::filesyst
 
 void Results::run_all(const std::function<void(double)>& progress) {
   const unsigned threads = studies::thread_count();
-  const studies::ThreadsForNow one_each(1);
+  const studies::ScopedThreadCount one_each(1);
   studies::in_parallel(
       all_studies().size(), [this](std::size_t i) { all_studies()[i](*this); }, progress, threads);
 }

@@ -50,7 +50,7 @@ void StickSlipIntegrator::take_step_to(double end_time) {
 void StickSlipIntegrator::accept_slip_step(double end_time, double forward_velocity) {
   accept_trial_step(end_time);
   const bool slow = forward_velocity <= settings_.velocity_threshold;
-  if (slow && excess_force() <= 0.0) settle_at_rest();
+  if (slow && excess_force() <= 0.0) stick_or_reverse();
 }
 
 void StickSlipIntegrator::advance_stick(double end_time) {
@@ -65,7 +65,7 @@ void StickSlipIntegrator::advance_slip(double end_time) {
   const double forward_velocity = trial_forward_velocity(end_time);
   if (forward_velocity > 0.0) return accept_slip_step(end_time, forward_velocity);
   take_step_to(rest_time(end_time, forward_velocity));
-  settle_at_rest();
+  stick_or_reverse();
 }
 
 void StickSlipIntegrator::locate_changes(double end_time) {
@@ -82,7 +82,7 @@ void StickSlipIntegrator::change_at_the_end_of_steps(double end_time) {
   const double forward_velocity = trial_forward_velocity(end_time);
   if (forward_velocity > 0.0) return accept_slip_step(end_time, forward_velocity);
   accept_trial_step(end_time);
-  settle_at_rest();
+  stick_or_reverse();
 }
 
 // Sect. 3: the state for the step that begins, from |v_s| ≤ ε and |f_s| ≤ μ_s N alone.

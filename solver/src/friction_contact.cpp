@@ -76,7 +76,7 @@ double FrictionContact::bounded(double elastic, double sliding_velocity) const {
 
 // v = v_free + mobility f(v) has one root: f falls with v, but for the weakening of the law. It is sought in v, and
 // the force follows from the motion: a stiff law would multiply the rounding of v.
-double FrictionContact::yielding_force(double slider, const Response& response) const {
+double FrictionContact::solve_yielding_force(double slider, const Response& response) const {
   const double reach = response.flexibility / response.mobility;
   const auto residual = [&](double v) {
     const double position = response.position + reach * (v - response.velocity);
@@ -91,8 +91,8 @@ double FrictionContact::yielding_force(double slider, const Response& response) 
   return (v - response.velocity) / response.mobility;
 }
 
-FrictionContact::Slider FrictionContact::moved(double slider, double position,
-                                               double sliding_velocity) const {
+FrictionContact::Slider FrictionContact::advance_slider(double slider, double position,
+                                                        double sliding_velocity) const {
   if (tangential_.is_smooth()) return {position, sign(sliding_velocity)};
   const double f = yielding_force(slider, position, sliding_velocity);
   const bool moves = f != tangential_.tangential_stiffness() * (slider - position);

@@ -46,14 +46,14 @@ class FrictionContact {
   };
   /// The f_d, N, at the α level that is yielding_force() of the motion it causes. The only solution if
   /// require_unique_force() does not throw.
-  [[nodiscard]] double yielding_force(double slider, const Response& response) const;
+  [[nodiscard]] double solve_yielding_force(double slider, const Response& response) const;
 
   /// Where the slider is after a step to the position and velocity given, and whether it has moved, in the direction
   /// +1 or -1; else 0. A smooth law has no slider and always slides.
   struct Slider {
     double position{}, direction{};
   };
-  [[nodiscard]] Slider moved(double slider, double position, double sliding_velocity) const;
+  [[nodiscard]] Slider advance_slider(double slider, double position, double sliding_velocity) const;
 
   /// Throws std::runtime_error, naming the time and the longest possible step, unless mobility N (μ_s -
   /// μ_m) α < 1: the friction law would fall faster than a step can follow.

@@ -218,7 +218,7 @@ double StepKernel::friction_force(const StepPhase& phase, double time, double le
                       method_.alpha_f() * system_.wall.displacement(time);
   const double displacement_factor = method_.stiffness_factor(length);
   const double free_position = displacement + displacement_factor * free_acceleration - wall;
-  yielding_force_ = contact_.yielding_force(
+  yielding_force_ = contact_.solve_yielding_force(
       phase.wall_offset, {free_velocity, free_position, mobility, displacement_factor * response});
   return yielding_force_;
 }

@@ -170,7 +170,8 @@ void StickSlipIntegrator::begin_yielding() {
 }
 
 void StickSlipIntegrator::move_slider(double length) {
-  const auto [slider, direction] = contact_->moved(phase_.wall_offset, position(), relative_velocity());
+  const auto [slider, direction] =
+      contact_->advance_slider(phase_.wall_offset, position(), relative_velocity());
   phase_.wall_offset = slider;
   // On the line through the last two α levels, within the bound. After a kink q and v oscillate from step to step,
   // and the stiff law would amplify that; the α level is free of it.
@@ -213,7 +214,7 @@ void StickSlipIntegrator::leave_stick() {
   notify();
 }
 
-void StickSlipIntegrator::settle_at_rest() {
+void StickSlipIntegrator::stick_or_reverse() {
   const double force = held_contact_->holding_force_at_rest(now_, time_);
   if (contact_->excess(force) <= 0.0) {
     record(data::ContactChange::capture);

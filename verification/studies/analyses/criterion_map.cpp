@@ -232,7 +232,7 @@ struct Seconds {
 };
 
 Seconds seconds_for(const MapTask& task, const std::vector<std::size_t>& numbers, unsigned threads) {
-  const ThreadsForNow threads_for_now(threads);
+  const ScopedThreadCount threads_for_now(threads);
   const auto start = std::chrono::steady_clock::now();
   const std::clock_t processor = std::clock();
   (void)evaluations_of(task, numbers);

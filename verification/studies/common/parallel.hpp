@@ -31,12 +31,12 @@ inline void set_thread_count(unsigned count) {
 }
 
 /// Sets the number of threads until the end of a block.
-class ThreadsForNow {
+class ScopedThreadCount {
  public:
-  explicit ThreadsForNow(unsigned count) : before_(thread_count()) { set_thread_count(count); }
-  ~ThreadsForNow() { set_thread_count(before_); }
-  ThreadsForNow(const ThreadsForNow&) = delete;
-  ThreadsForNow& operator=(const ThreadsForNow&) = delete;
+  explicit ScopedThreadCount(unsigned count) : before_(thread_count()) { set_thread_count(count); }
+  ~ScopedThreadCount() { set_thread_count(before_); }
+  ScopedThreadCount(const ScopedThreadCount&) = delete;
+  ScopedThreadCount& operator=(const ScopedThreadCount&) = delete;
 
  private:
   unsigned before_;

@@ -6,7 +6,7 @@
 #include <pugixml.hpp>
 #include <regex>
 
-#include "comparison_output.hpp"
+#include "comparison_json.hpp"
 #include "support/command_line.hpp"
 #include "support/testing.hpp"
 

@@ -21,7 +21,7 @@ using report::ProgressStyle;
 // A progress whose clock and screen are the test's own.
 class ProgressOf : public ::testing::Test {
  protected:
-  [[nodiscard]] Progress::Surroundings surroundings(ProgressStyle style) {
+  [[nodiscard]] Progress::ProgressSink sink(ProgressStyle style) {
     return {.style = style,
             .write = [this](std::string_view text) { written_.emplace_back(text); },
             .now = [this] { return now_; }};
@@ -42,7 +42,7 @@ TEST_F(ProgressOf, ATerminalIsABar) {
   for (const auto& [items, time, share, bar] :
        {Work{1200, 2s, 0.25, "[#####---------------]  25 %  150/s  0:06 left"},
         Work{0, 7384s, 0.5, "[##########----------]  50 %  0.0068 %/s  2:03:04 left"}}) {
-    Progress progress("stickslip map", surroundings(ProgressStyle::bar), items);
+    Progress progress("stickslip map", sink(ProgressStyle::bar), items);
     now_ += time;
     progress(share);
     EXPECT_EQ(written_.back(), "\r\033[Kstickslip map  " + bar);
@@ -50,7 +50,7 @@ TEST_F(ProgressOf, ATerminalIsABar) {
 }
 
 TEST_F(ProgressOf, ATerminalIsRedrawnRarely) {
-  Progress progress("stickslip map", surroundings(ProgressStyle::bar));
+  Progress progress("stickslip map", sink(ProgressStyle::bar));
   for (int i = 0; i < 1000; ++i) {
     progress(i / 1000.0);
     now_ += 1ms;
@@ -60,7 +60,7 @@ TEST_F(ProgressOf, ATerminalIsRedrawnRarely) {
 
 TEST_F(ProgressOf, ATerminalIsErasedInTheEnd) {
   {
-    Progress progress("stickslip map", surroundings(ProgressStyle::bar));
+    Progress progress("stickslip map", sink(ProgressStyle::bar));
     progress(0.5);
     progress.finish();
     now_ += 1s;
@@ -71,14 +71,14 @@ TEST_F(ProgressOf, ATerminalIsErasedInTheEnd) {
 }
 
 TEST_F(ProgressOf, ATerminalNeverBreaksTheLine) {
-  Progress progress("stickslip report", surroundings(ProgressStyle::bar));
+  Progress progress("stickslip report", sink(ProgressStyle::bar));
   progress.stage(std::string(200, 'x'));
   ASSERT_EQ(written_.size(), 1u);
   EXPECT_EQ(written_[0].size(), std::string_view("\r\033[K").size() + 79u);
 }
 
 TEST_F(ProgressOf, ALogIsALineEveryFiveSeconds) {
-  Progress progress("stickslip map", surroundings(ProgressStyle::lines));
+  Progress progress("stickslip map", sink(ProgressStyle::lines));
   for (int tenths = 1; tenths <= 149; ++tenths) {
     now_ += 100ms;
     progress(tenths / 200.0);
@@ -91,7 +91,7 @@ TEST_F(ProgressOf, ALogIsALineEveryFiveSeconds) {
 }
 
 TEST_F(ProgressOf, APipeIsSilent) {
-  Progress progress("stickslip map", surroundings(ProgressStyle::silent));
+  Progress progress("stickslip map", sink(ProgressStyle::silent));
   for (int i = 0; i < 10; ++i) {
     now_ += 10s;
     progress(0.1 * i);
@@ -169,7 +169,7 @@ STICKSLIP_VERIFIES(ThreadCount, "U10");
 TEST(ThreadCount, IsTheOneThatIsSet) {
   const unsigned before = studies::thread_count();
   {
-    const studies::ThreadsForNow three(3);
+    const studies::ScopedThreadCount three(3);
     EXPECT_EQ(studies::thread_count(), 3u);
     studies::set_thread_count(5);
     EXPECT_THROW(studies::set_thread_count(0), std::invalid_argument);

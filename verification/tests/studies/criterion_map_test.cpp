@@ -155,7 +155,7 @@ TEST(CriterionMap, CostEstimateLeavesTheThreads) {
                               .y = map_axis("excitation.amplitude", 0.0, 1e-3, 3, false),
                               .method = &studies::finite_elements()};
   for (const unsigned count : {1u, 2u}) {
-    const studies::ThreadsForNow threads(count);
+    const studies::ScopedThreadCount threads(count);
     const auto estimate = studies::map_estimate(task);
     EXPECT_EQ(studies::thread_count(), count);
     EXPECT_EQ(estimate.threads, count);

@@ -174,7 +174,7 @@ TEST(SobolIndices, OfIshigamisFunctionAreExact) {
   expect_index(result.indices[1].total, second / variance);
   expect_index(result.indices[2].first, 0.0);
   expect_index(result.indices[2].total, both / variance);
-  const studies::ThreadsForNow three(3);
+  const studies::ScopedThreadCount three(3);
   const auto again = studies::sobol_indices(model, 3, 4096, 3);
   EXPECT_EQ(result.indices[1].first.value, again.indices[1].first.value);
   EXPECT_EQ(result.indices[1].total.upper, again.indices[1].total.upper);

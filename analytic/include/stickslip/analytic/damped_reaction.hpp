@@ -117,7 +117,7 @@ class DampedForce {
     Complex amplitude, exponent;
   };
   // Re[amplitude (exp(pole t) - exp(exponent t))/(pole - exponent)]
-  struct Beat {
+  struct NearResonantTerm {
     Complex amplitude, pole, exponent;
   };
 
@@ -127,14 +127,14 @@ class DampedForce {
   };
 
   void bound_omitted(const DampedReaction& reaction, const DampedReaction& half);
-  [[nodiscard]] Jet jet(double t) const;
-  void add(Jet& sum, const Term& term, double t) const;
-  void add(Jet& sum, const Beat& beat, double t) const;
+  [[nodiscard]] TaylorCoefficients jet(double t) const;
+  void add(TaylorCoefficients& sum, const Term& term, double t) const;
+  void add(TaylorCoefficients& sum, const NearResonantTerm& beat, double t) const;
   [[nodiscard]] double transient_bound(double t) const;  // of the terms but the first, from t on
 
   double omega_, duration_;
   std::vector<Term> terms_;
-  std::vector<Beat> beats_;
+  std::vector<NearResonantTerm> near_resonant_terms_;
   std::vector<Decay> omitted_;
   double steady_amplitude_{}, steady_omitted_{};
   double rounding_{};

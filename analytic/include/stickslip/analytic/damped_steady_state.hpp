@@ -55,7 +55,7 @@ class DampedSteadyState {
 
  private:
   // weight exp(-exponent distance), with the distance from the clamp or from the tip, in lengths of the beam.
-  struct Wave {
+  struct BoundaryWave {
     Complex exponent, weight;
     bool from_clamp{};
   };
@@ -64,7 +64,7 @@ class DampedSteadyState {
   double length_;
   double loss_;  // π Ω η E I
   Complex rigidity_;
-  std::array<Wave, 4> waves_;
+  std::array<BoundaryWave, 4> waves_;
 };
 
 }  // namespace stickslip::analytic

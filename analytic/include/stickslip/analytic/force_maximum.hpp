@@ -48,7 +48,7 @@ struct Sinusoid {
 };
 
 /// A function and its first two derivatives at a point.
-struct Jet {
+struct TaylorCoefficients {
   double value{}, slope{}, curvature{};
 };
 
@@ -85,7 +85,7 @@ class ForceMaximum {
   class Search;
 
   // b e(t) cos(σ t), e(t) = sin(δ t)/δ: a mode in resonance, together with a Sinusoid.
-  struct Beat {
+  struct NearResonantTerm {
     double amplitude{};  // b
     double mean{};       // σ = (Ω + ω_n)/2
     double detuning{};   // δ = (Ω - ω_n)/2
@@ -104,13 +104,13 @@ class ForceMaximum {
   [[nodiscard]] static Phase turned(const Phase& phase, const Phase& by) {
     return {phase.sine * by.cosine + phase.cosine * by.sine, phase.cosine * by.cosine - phase.sine * by.sine};
   }
-  [[nodiscard]] Jet jet(double t) const;
-  [[nodiscard]] Jet jet(double t, const Phase* phases, std::size_t terms) const;
+  [[nodiscard]] TaylorCoefficients jet(double t) const;
+  [[nodiscard]] TaylorCoefficients jet(double t, const Phase* phases, std::size_t terms) const;
   [[nodiscard]] double beats(double t) const;
 
   double duration_;
   std::vector<Sinusoid> sinusoids_;  // that at Ω first, then in falling order of amplitude
-  std::vector<Beat> beats_;
+  std::vector<NearResonantTerm> near_resonant_terms_;
   std::vector<Truncation> truncations_;  // by k = 1 ... sinusoids_.size()
   double rounding_{};
 };

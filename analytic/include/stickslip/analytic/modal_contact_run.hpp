@@ -94,20 +94,20 @@ class ModalContactRun {
   [[nodiscard]] Slip slip(double free_speed, double speed_before, double expected_force);
   void set_friction();
   [[nodiscard]] bool turns_round(double free_velocity, double further);
-  void decide(double free_velocity);
+  void update_contact(double free_velocity);
   void advance(double force);
   double add(std::size_t mode, Complex value);
   void add_load();
 
   // Four modes beside each other, so that a compiler takes them at once.
   static constexpr std::size_t lanes = 4;
-  struct Part {
+  struct ComplexLanes {
     std::array<double, lanes> real{}, imaginary{};
   };
   struct Block {
-    Part turn;       // exp(λ h)
-    Part input;      // what a unit of force adds in a step
-    Part amplitude;  // z_k without its steady part
+    ComplexLanes turn;       // exp(λ h)
+    ComplexLanes input;      // what a unit of force adds in a step
+    ComplexLanes amplitude;  // z_k without its steady part
   };
   // The part of the load in z_k as sine sin(Ω t) + cosine cos(Ω t): the steady vibration of a mode
   // or, next to resonance, what a step from t adds.
@@ -115,7 +115,7 @@ class ModalContactRun {
     std::size_t mode{};
     Complex sine, cosine;
   };
-  void drive(std::size_t mode, Complex load);
+  void add_load(std::size_t mode, Complex load);
 
   const ContactModes* modes_;
   ContactModel model_;
@@ -126,10 +126,10 @@ class ModalContactRun {
   std::vector<double> sine_, cosine_;  // of Ω t at the steps of a period
   std::vector<double> offset_;  // steady velocity of the contact without friction, less that of the wall
   double weight_{};             // W
-  double held_{}, kinetic_{}, falling_{}, decay_{}, viscous_{};  // the law, N and N s/m
-  double known_speed_{}, known_force_{};                         // a value of the falling part
-  std::size_t steps_{}, phase_{};  // since the start, and since the begin of a period
-  double free_velocity_{};         // p
+  double static_limit_{}, kinetic_force_{}, friction_drop_{}, decay_{}, viscous_{};  // the law, N and N s/m
+  double known_speed_{}, known_force_{};  // a value of the falling part
+  std::size_t steps_{}, phase_{};         // since the start, and since the begin of a period
+  double free_velocity_{};                // p
   double sliding_velocity_{}, friction_force_{}, force_before_{};
   double change_{}, change_before_{};  // of the sliding velocity, in the last step and in the one before
   double

@@ -13,7 +13,7 @@ namespace stickslip::solver {
 /// What a run of a case may do differently from the paper's.
 struct RunOptions {
   bool is_bonded{};  ///< the tip never slips: the linear stick state for all time
-  /// u_t(x,0) = 0 for x < L, the letter of Sect. 3: an impulsive reaction that grows with the mesh. Else u_t(x,0) = S(x) h_t(0),
+  /// u_t(x,0) = 0 for x < L, as printed in Sect. 3: an impulsive reaction that grows with the mesh. Else u_t(x,0) = S(x) h_t(0),
   /// the quasi-static start with S from the mesh: what Eq. (26) of the paper assumes (erratum E4).
   bool starts_with_the_base{};
   std::optional<ContactScheme> scheme{};     ///< else located

@@ -174,7 +174,7 @@ class StickSlipIntegrator {
   // nor restart. Settling, the contact is at rest on the wall, up to what the location left: stick if it can be held, else
   // slip.
   void leave_stick();
-  void settle_at_rest();
+  void stick_or_reverse();
   void overwrite_sliding_velocity();
   void turn_to(double direction);
 
