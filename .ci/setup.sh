@@ -20,12 +20,12 @@ fuzz_packages=(clang libclang-rt-14-dev)
 
 # What the CI needs besides.
 # shellcheck disable=SC2034
-check_packages=(clang clang-tidy gcovr dpkg-dev)
+check_packages=(clang clang-tidy gcovr)
 
 # What the tests need besides: their framework, what typesets the manual page, what checks the traceability, fills in the templates of the
-# report, and tests the Python package.
+# report, tests the Python package, and makes the Debian package.
 # shellcheck disable=SC2034
-test_packages=(libgtest-dev groff-base python3 python3-jinja2 python3-jsonschema python3-pytest python3-setuptools)
+test_packages=(libgtest-dev groff-base python3 python3-jinja2 python3-jsonschema python3-pytest python3-setuptools dpkg-dev file)
 
 # Ninja would work on two sources more than there are processors, which takes longer.
 CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}
