@@ -88,7 +88,7 @@ std::string case_named_in(std::string_view text, const std::string& otherwise) {
 
 MapFile read_map(const std::string& file) try {
   const auto fail = [&](const std::string& why) { throw data::InputError(file + ": " + why); };
-  const std::string text = data::read_bounded(file, data::limit::shard_bytes.most);
+  const std::string text = data::read_bounded(file, data::limit::map_bytes.most);
   data::CsvReader csv(file, text);
   auto map = map_with(csv.names());
   if (!map) fail("is no map: its columns are " + data::printable(data::joined(csv.names())));

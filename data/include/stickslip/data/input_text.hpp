@@ -24,12 +24,12 @@ inline constexpr Limit case_bytes{"bytes of a case", 1'000'000},
     package_bytes{"bytes of `datapackage.json`", 10'000'000},
     package_levels{"levels of nesting in `datapackage.json`", 100},
     table_bytes{"bytes of a table, also once decompressed", 50'000'000},
-    table_columns{"columns of a table", 10'000}, shard_bytes{"bytes of a shard of a map", 500'000'000},
+    table_columns{"columns of a table", 10'000}, map_bytes{"bytes of a map", 500'000'000},
     map_values{"values along an axis of a map", 2000},
     number_length{"characters of a number with its unit", 1000},
     mistakes{"mistakes of a case, after which the rest is not read", 20};
-inline constexpr std::array all{case_bytes,    case_dots,   package_bytes, package_levels, table_bytes,
-                                table_columns, shard_bytes, map_values,    number_length,  mistakes};
+inline constexpr std::array all{case_bytes,    case_dots, package_bytes, package_levels, table_bytes,
+                                table_columns, map_bytes, map_values,    number_length,  mistakes};
 }  // namespace limit
 
 /// The bytes of a file, of which there may be `most`. Throws InputError, naming the file, if it cannot be
