@@ -311,6 +311,26 @@ TEST_F(Answers, RespondHasTheSpectrumOfItsRows) {
   }
 }
 
+TEST_F(Answers, RespondNamesTheWindowOfASpectrum) {
+  const std::string spectrum = " --spectrum spectrum.csv --method event-driven --output run.csv --duration ";
+  for (const auto& [run, is_flat_top] :
+       {std::pair{"reed" + spectrum + "0.1", true}, {"damped --hz 25" + spectrum + "0.2", false}}) {
+    EXPECT_EQ(run_line("respond " + run).status, 0);
+    EXPECT_EQ(holds(contents("spectrum.csv"), ", flat-top window"), is_flat_top) << run;
+  }
+}
+
+TEST_F(Answers, UncertaintySaysWhetherTheCaseSlips) {
+  const auto line = [](double amplitude) {
+    return fmt::format("uncertainty uncertain --samples 5 --amplitude {} --quiet", amplitude);
+  };
+  const double critical = 1e-4 * json(line(1e-4))["margin_of_case"].get<double>();
+  for (const double factor : {0.6, 0.9, 1.1}) {
+    const std::string text = run_line(line(factor * critical)).output;
+    EXPECT_EQ(holds(text, ": slips\n"), factor > 1.0) << text;
+  }
+}
+
 // A frequency of a base that rests has no effect, and the line is the amplitude of the limit cycle.
 TEST_F(Answers, RespondHasTheLineOfALimitCycle) {
   std::vector<double> amplitudes;

@@ -102,6 +102,14 @@ class CompareCommand : public Drawing {
   static constexpr const char* printed = "beam,mode,frequency\npaper,1,1.607\npaper,2,7.231\npaper,3,16.03\n";
 };
 
+TEST_F(MeasurementOfACase, SaysWhereTheCaseIsSure) {
+  std::ofstream("measured.csv") << "quantity,at,value,half_width\nstick_frequency,1,25,0.2\n";
+  for (const auto* name : {"paper", "uncertain"})
+    EXPECT_EQ(
+        holds(run(std::string("compare measured.csv --samples 100 --case ") + name).output, "u_input is 0"),
+        name == std::string("paper"));
+}
+
 // sigma_E/(2 E) = 1 % of a frequency, and the length and the load add a little.
 STICKSLIP_VERIFIES(MeasurementOfACase, "K3");
 TEST_F(MeasurementOfACase, HasTheFormOfOthers) {
