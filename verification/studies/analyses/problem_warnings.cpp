@@ -134,20 +134,6 @@ int highest_mode_that_matters(const data::Case& problem) {
   return 1;
 }
 
-double mesh_effect(const data::Case& problem, int elements) {
-  const double element = problem.beam().length() / elements;
-  double effect = mesh_frequency_error(problem.beam(), angular_frequency(problem.excitation()), element);
-  effect += hermite_stick_error(problem.beam(), element);
-  effect = std::min(1.0, effect);
-  for (const auto& [omega, share] : analytic::free_vibrations(problem)) {
-    const double decay = omega * problem.damping.ratio_at(omega);
-    const double error = mesh_frequency_error(problem.beam(), omega, element),
-                 time = std::min(problem.numerics.duration(), 1.0 / decay);
-    effect += share * std::min(2.0, error * (1.0 + omega * time));
-  }
-  return effect;
-}
-
 double row_effect(const data::Case& problem, double spacing) {
   const auto lost = [&](double omega) { return 1.0 - std::cos(std::min(pi, 0.5 * omega * spacing)); };
   double effect = lost(angular_frequency(problem.excitation()));
@@ -156,6 +142,22 @@ double row_effect(const data::Case& problem, double spacing) {
 }
 
 namespace {
+
+// The sum of coarse_mesh_warning().
+double mesh_effect(const data::Case& problem, const std::vector<analytic::FreeVibration>& vibrations,
+                   int elements) {
+  const double element = problem.beam().length() / elements;
+  double effect = mesh_frequency_error(problem.beam(), angular_frequency(problem.excitation()), element);
+  effect += hermite_stick_error(problem.beam(), element);
+  effect = std::min(1.0, effect);
+  for (const auto& [omega, share] : vibrations) {
+    const double decay = omega * problem.damping.ratio_at(omega);
+    const double error = mesh_frequency_error(problem.beam(), omega, element),
+                 time = std::min(problem.numerics.duration(), 1.0 / decay);
+    effect += share * std::min(2.0, error * (1.0 + omega * time));
+  }
+  return effect;
+}
 
 void add_warning(std::optional<Warning> warning, std::vector<Warning>& warnings) {
   if (warning) warnings.push_back(std::move(*warning));
@@ -203,10 +205,11 @@ std::optional<Warning> few_modes_warning(const data::Case& problem) {
 std::optional<Warning> coarse_mesh_warning(const data::Case& problem) {
   constexpr int most_elements = 10'000;
   if (analytic::is_buckled(problem)) return std::nullopt;
-  const double effect = mesh_effect(problem, problem.numerics.elements());
+  const auto vibrations = analytic::free_vibrations(problem);
+  const double effect = mesh_effect(problem, vibrations, problem.numerics.elements());
   if (effect <= allowed_model_error) return std::nullopt;
   int enough = problem.numerics.elements() + 1;
-  while (enough < most_elements && mesh_effect(problem, enough) > allowed_model_error)
+  while (enough < most_elements && mesh_effect(problem, vibrations, enough) > allowed_model_error)
     enough += 1 + enough / 10;
   return Warning{
       Concern::coarse_mesh, effect, allowed_model_error,

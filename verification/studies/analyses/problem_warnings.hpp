@@ -57,14 +57,6 @@ constexpr double share_that_matters = 0.01;
 /// first mode if that is longer. The result does not depend on the amplitude.
 [[nodiscard]] int highest_mode_that_matters(const data::Case& problem);
 
-/// How much of max |f| a mesh of so many elements may change: each free vibration by its share times the phase that the
-/// relative error e of its frequency (mesh_frequency_error()) makes until it has decayed, at the rate d,
-///
-///     e(Ω) + e_s + Σ share_n min(2, e_n (1 + ω_n min(T, 1/d_n))),    T = numerics.duration(),
-///
-/// at most 1 in the first two terms; e_s, hermite_eigenvalue_error() of the first mode, is that of the stiffness next to buckling. An upper estimate: over many beats max |f| does not depend on the phases.
-[[nodiscard]] double mesh_effect(const data::Case& problem, int elements);
-
 /// How much of max |f| rows with this spacing H (s) may miss: between two rows a vibration rises above them by 1 - cos(ω H/2),
 /// and by all of its size from half a period on,
 ///
@@ -78,7 +70,7 @@ constexpr double share_that_matters = 0.01;
 /// Of a history by a method:
 /// - flutter or buckling, if it follows the slip: instability_warning();
 /// - resonance and few modes, if it does not: resonance_warning(), too_few_modes();
-/// - coarse mesh, by elements: mesh_effect() is above allowed_model_error;
+/// - coarse mesh, by elements: coarse_mesh_warning();
 /// - long step, by elements: step_error() of the highest relevant mode, or of a vibration at Ω, is above 1 %. The limit is the
 ///   largest allowed step, rounded down to two digits.
 ///
@@ -104,7 +96,14 @@ constexpr double share_that_matters = 0.01;
 /// The warning that too_few_modes() of the case, if there are.
 [[nodiscard]] std::optional<Warning> few_modes_warning(const data::Case& problem);
 
-/// The warning that mesh_effect() of the case is above allowed_model_error, if it is and the held beam is not buckled.
+/// The warning that the mesh may change more of max |f| than allowed_model_error, unless the held beam is buckled: each free vibration
+/// changes by its share times the phase that the relative error e of its frequency (mesh_frequency_error()) makes until it has decayed,
+/// at the rate d,
+///
+///     e(Ω) + e_s + Σ share_n min(2, e_n (1 + ω_n min(T, 1/d_n))),    T = numerics.duration(),
+///
+/// at most 1 in the first two terms; e_s, hermite_eigenvalue_error() of the first mode, is that of the stiffness next to buckling. An
+/// upper estimate: over many beats max |f| does not depend on the phases.
 [[nodiscard]] std::optional<Warning> coarse_mesh_warning(const data::Case& problem);
 
 /// What shear and rotary inertia change in |f_max| and in the verdict, by the undamped criterion of all modes with
