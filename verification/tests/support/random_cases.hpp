@@ -92,6 +92,18 @@ inline void give_units(CaseText& text) {
     text.set(key, "\"" + data::shortest_text(text.number(key) / one) + " " + unit + "\"");
 }
 
+/// `first`: of the held tip, rad/s.
+inline void give_damping(CaseText& text, RandomNumbers& numbers, const CaseDomain& domain, double first) {
+  if (numbers.uniform(0.0, 1.0) < domain.kelvin_voigt)
+    text.set("damping.kelvin_voigt", 2.0 * numbers.log_uniform(1e-4, 0.1) / first);
+  if (numbers.uniform(0.0, 1.0) >= domain.ratio) return;
+  const double ratio = numbers.log_uniform(1e-4, 0.1);
+  if (numbers.uniform(0.0, 1.0) < 0.7)
+    text.set("damping.ratio", ratio);
+  else
+    text.set("damping.mass_proportional", 2.0 * ratio * first);
+}
+
 inline CaseText random_case(RandomNumbers& numbers, const CaseDomain& domain) {
   const auto happens = [&numbers](double share) { return numbers.uniform(0.0, 1.0) < share; };
   CaseText text;
@@ -135,13 +147,7 @@ inline CaseText random_case(RandomNumbers& numbers, const CaseDomain& domain) {
   text.set("friction.kinetic_coefficient", mu * numbers.uniform(0.2, 1.0));
   if (!happens(domain.jump)) text.set("friction.decay", numbers.log_uniform(0.1, 3.0) / speed);
   if (happens(domain.viscous)) text.set("friction.viscous", numbers.log_uniform(0.01, 0.3) * mu / speed);
-  if (happens(domain.kelvin_voigt))
-    text.set("damping.kelvin_voigt", 2.0 * numbers.log_uniform(1e-4, 0.1) / first);
-  if (happens(domain.ratio)) {
-    const double ratio = numbers.log_uniform(1e-4, 0.1);
-    numbers.uniform(0.0, 1.0) < 0.7 ? text.set("damping.ratio", ratio)
-                                    : text.set("damping.mass_proportional", 2.0 * ratio * first);
-  }
+  give_damping(text, numbers, domain, first);
   if (happens(domain.moving_wall)) text.set("wall.speed", speed * numbers.uniform(-1.5, 1.5));
   if (happens(domain.yielding)) {
     if (text.erase("friction.viscous"), happens(0.5))
