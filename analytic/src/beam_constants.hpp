@@ -47,11 +47,7 @@ inline void require_compression(const data::Beam& beam) {
 
 /// Throws data::FieldError, naming the key, for damping other than Kelvin-Voigt's.
 inline void require_kelvin_voigt(const data::Damping& damping) {
-  if (damping.is_kelvin_voigt()) return;
-  const bool has_ratio = damping.ratio() > 0.0;
-  throw data::FieldError(has_ratio ? "damping.ratio" : "damping.mass_proportional",
-                         has_ratio ? damping.ratio() : damping.mass_proportional(),
-                         "0: the closed form knows Kelvin-Voigt damping alone");
+  data::require_kelvin_voigt(damping, "0: the closed form knows Kelvin-Voigt damping alone");
 }
 
 /// (1 - χ) P, N: the part of the axial force that follows the tip.

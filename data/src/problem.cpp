@@ -171,6 +171,20 @@ Damping::Damping(const DampingProperties& properties) : properties_(properties) 
   require_not_negative("damping.mass_proportional", mass_proportional(), " (1/s)");
 }
 
+void require_undamped(const Damping& damping, std::string_view allowed) {
+  for (const auto& [path, kind] : {std::pair{"damping.kelvin_voigt", &DampingProperties::kelvin_voigt},
+                                   {"damping.ratio", &DampingProperties::ratio},
+                                   {"damping.mass_proportional", &DampingProperties::mass_proportional}})
+    if (const double value = damping.properties().*kind; value != 0.0)
+      throw FieldError(path, value, std::string(allowed));
+}
+
+void require_kelvin_voigt(const Damping& damping, std::string_view allowed) {
+  DampingProperties others = damping.properties();
+  others.kelvin_voigt = 0.0;
+  require_undamped(Damping(others), allowed);
+}
+
 Wall::Wall(double speed) : speed_(speed) { require_finite("wall.speed", speed, " (m/s)"); }
 
 NumericalSettings::NumericalSettings(const NumericalChoices& choices) : choices_(choices) {

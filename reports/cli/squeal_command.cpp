@@ -108,7 +108,7 @@ Answer squeal_answer(const studies::Squeal& squeal, const studies::Cycle& cycle)
 // Damping other than Kelvin-Voigt's is that of the modes of the case, which with the deflection of the tip have one root more.
 void require_modes(const data::Case& problem, int modes) {
   const int most = problem.numerics.modes() + 1;
-  if (problem.has(data::Feature::other_damping) && modes > most)
+  if (!problem.damping.is_kelvin_voigt() && modes > most)
     throw data::FieldError(
         "--modes", modes,
         fmt::format("at most {} with damping other than kelvin_voigt: one more than numerics.modes", most));

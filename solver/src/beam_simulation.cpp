@@ -80,20 +80,13 @@ void require_contact(const data::Beam& beam, bool is_bonded) {
                          "positive (compression), or there is no contact");
 }
 
-void require_undamped(const data::Case& problem) {
-  for (const data::FeatureKey& key : data::feature_keys())
-    if (key.path.starts_with("damping.") && key.value(problem) != 0.0)
-      throw data::FieldError(key.path, key.value(problem),
-                             "0 in modal coordinates, which damping would couple");
-}
-
 ContactScheme scheme_of(const RunOptions& options) { return options.scheme.value_or(ContactScheme::located); }
 
 Coordinates coordinates_of(const data::Case& problem, const RunOptions& options) {
   const ContactScheme scheme = scheme_of(options);
   if (!options.coordinates) return fastest_coordinates(problem.numerics.elements(), problem.damping, scheme);
   if (options.coordinates == Coordinates::nodal) return Coordinates::nodal;
-  require_undamped(problem);
+  data::require_undamped(problem.damping, "0 in modal coordinates, which damping would couple");
   if (scheme == ContactScheme::paper)
     throw std::logic_error(
         "the scheme of the paper overwrites a nodal velocity: it has no modal coordinates");

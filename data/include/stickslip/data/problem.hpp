@@ -248,6 +248,11 @@ class Damping {
   DampingProperties properties_;
 };
 
+/// Throws FieldError, naming the first key of [damping] that is not 0; `allowed` is the end of its sentence, "0 for ...".
+void require_undamped(const Damping& damping, std::string_view allowed);
+/// The same, but there may be Kelvin-Voigt damping.
+void require_kelvin_voigt(const Damping& damping, std::string_view allowed);
+
 /// The wall that the tip is pressed against. It does not move with the base: the paper's tip sticks while y(L) = h + u(L)
 /// is constant. A wall that moves by V t along the direction of y makes the sliding velocity v_s = y_t(L) - V, and a tip
 /// that sticks moves with V. Steady sliding on it has v_s = -V and the friction force f_d = sgn(V) μ(|V|) P. Cannot be
