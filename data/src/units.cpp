@@ -105,10 +105,10 @@ std::optional<double> quantity_in(std::string_view text, std::string_view si, bo
   double value{};
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc{}) return std::nullopt;
-  const auto name = trimmed(text.substr(static_cast<std::size_t>(end - text.data())));
+  const std::string name = spelled(trimmed(text.substr(static_cast<std::size_t>(end - text.data()))));
   if (name.empty()) return may_lack_unit ? std::optional(value) : std::nullopt;
   const auto* const found = std::ranges::find_if(
-      units, [&](const NamedUnit& one) { return one.name == spelled(name) && one.unit.si == si; });
+      units, [&](const NamedUnit& one) { return one.name == name && one.unit.si == si; });
   if (found == units.end()) return std::nullopt;
   return found->unit.to_si(value);
 }
