@@ -13,6 +13,7 @@
 #include "stickslip/solver/beam_simulation.hpp"
 #include "stickslip/solver/sliding_stability.hpp"
 #include "studies/analyses/contact_response.hpp"
+#include "studies/common/bisection.hpp"
 #include "studies/common/problem_parameter.hpp"
 #include "studies/history/natural_frequencies.hpp"
 
@@ -98,11 +99,8 @@ std::optional<SlipInstability> slip_instability(const data::Case& problem) {
   const double step = load / steps;
   double stable = load - step;
   while (stable > 0.5 * step && grows(fastest_slip(problem, stable))) load = stable, stable -= step;
-  for (int i = 0; i < 20; ++i) {
-    const double middle = 0.5 * (stable + load);
-    (grows(fastest_slip(problem, middle)) ? load : stable) = middle;
-  }
-  return SlipInstability{root, load};
+  const auto is_stable_at = [&](double force) { return !grows(fastest_slip(problem, force)); };
+  return SlipInstability{root, bracketed(stable, load, is_stable_at, 1.5e-6 * step).second};
 }
 
 double resolved_frequency(const data::Case& problem) {

@@ -84,9 +84,9 @@ std::optional<double> closed_form_first_slip(const data::Case& problem) {
   for (long n = 1; n <= samples; ++n) {
     const double end = static_cast<double>(n) * scan;
     if (exceeded(end))
-      return bisected(
-                 end - scan, end, [&](double t) { return !exceeded(t); }, 2.5e-5 * scan) +
-             1.25e-5 * scan;  // at the end of the last interval or behind it, where the limit is exceeded
+      return bracketed(
+                 end - scan, end, [&](double t) { return !exceeded(t); }, 5e-5 * scan)
+          .second;
   }
   return std::nullopt;
 }
