@@ -41,10 +41,10 @@ double two_digits(double value) {
 
 // The largest time step at which step_error() is not above allowed_step_error.
 double allowed_step(double spectral_radius, double omega) {
-  const double angle = bisected(0.0, 2.0 * pi, [&](double step) {  // ω h
-    return step_error(spectral_radius, 1.0, step) <= allowed_step_error;
-  });
-  return two_digits(angle / omega);
+  const auto is_allowed = [&](double angle) {  // ω h
+    return step_error(spectral_radius, 1.0, angle) <= allowed_step_error;
+  };
+  return two_digits(bracketed(0.0, 2.0 * pi, is_allowed).first / omega);
 }
 
 }  // namespace
@@ -134,14 +134,15 @@ int highest_mode_that_matters(const data::Case& problem) {
   return 1;
 }
 
-double row_effect(const data::Case& problem, double spacing) {
-  const auto lost = [&](double omega) { return 1.0 - std::cos(std::min(pi, 0.5 * omega * spacing)); };
+namespace {
+
+double row_effect(const data::Case& problem, const std::vector<analytic::FreeVibration>& vibrations,
+                  double apart) {
+  const auto lost = [&](double omega) { return 1.0 - std::cos(std::min(pi, 0.5 * omega * apart)); };
   double effect = lost(angular_frequency(problem.excitation()));
-  for (const auto& [omega, share] : analytic::free_vibrations(problem)) effect += share * lost(omega);
+  for (const auto& [omega, share] : vibrations) effect += share * lost(omega);
   return effect;
 }
-
-namespace {
 
 // The sum of coarse_mesh_warning().
 double mesh_effect(const data::Case& problem, const std::vector<analytic::FreeVibration>& vibrations,
@@ -170,6 +171,10 @@ void warn_of_resonance_or_distance(const data::Case& problem, std::vector<Warnin
 }
 
 }  // namespace
+
+double row_effect(const data::Case& problem, double spacing) {
+  return row_effect(problem, analytic::free_vibrations(problem), spacing);
+}
 
 std::optional<Warning> instability_warning(const data::Case& problem) {
   const auto found = slip_instability(problem);
@@ -296,7 +301,7 @@ std::optional<Warning> growth_warning(const data::Case& problem, const Method& m
   const auto rate = [](double value) {
     return value < 100.0 ? fmt::format("{:.3g} 1/s", value) : fmt::format("{:.0f} 1/s", value);
   };
-  const bool is_beam_known = !problem.has(data::Feature::other_damping);
+  const bool is_beam_known = problem.damping.is_kelvin_voigt();
   std::string sentence = fmt::format(
       "the contact changes, and sigma* is {}: by the bound exp(sigma* t) a rounding error may grow to the "
       "size of the motion within {:.2g} s; for the {} sigma* is {}",
@@ -437,9 +442,11 @@ std::vector<std::string> warnings_after(const data::Case& problem, const Method&
 
 long look_step(const data::Case& problem, long row_step) {
   constexpr double allowed_loss = 0.01;
+  if (row_step <= 1) return row_step;
+  const auto vibrations = analytic::free_vibrations(problem);
   long step = row_step;
-  while (step > 1 &&
-         row_effect(problem, static_cast<double>(step) * problem.numerics.time_step()) > allowed_loss)
+  while (step > 1 && row_effect(problem, vibrations,
+                                static_cast<double>(step) * problem.numerics.time_step()) > allowed_loss)
     step /= step % 2 == 0 ? 2 : step % 5 == 0 ? 5 : step;
   return step;
 }
