@@ -53,7 +53,7 @@ std::vector<ModalShare> matched(const std::vector<ModalShare>& all, const std::v
   return partners;
 }
 
-// On a base that moves by sin(t).
+// On a base that moves by sin(t): Ω = 1 rad/s.
 ContactModel unit_motion(const HeldStructure& structure) {
   return contact_model(structure,
                        data::HarmonicExcitation({.frequency_hz = 0.5 / std::numbers::pi, .amplitude = 1.0}));
@@ -63,17 +63,15 @@ ContactModel unit_motion(const HeldStructure& structure) {
 
 DampedReaction damped_reaction(const HeldStructure& structure, SteadyPart steady_part) {
   const ContactDynamics dynamics(unit_motion(structure));
-  const double omega = dynamics.model().load_angular_frequency;  // 1 rad/s, up to rounding
   const Harmonic force = dynamics.held_force();
 
   // f = -f_d, and w = -h.
   DampedReaction reaction;
   reaction.quasi_static = dynamics.held_stiffness();
-  if (steady_part == SteadyPart::exact)
-    reaction.inertia = -(force.sine + reaction.quasi_static) / (omega * omega);
-  reaction.rate = -force.cosine / omega;
+  if (steady_part == SteadyPart::exact) reaction.inertia = -(force.sine + reaction.quasi_static);
+  reaction.rate = -force.cosine;
   for (const auto& share : StickPropagator(dynamics).force_shares())
-    reaction.shares.push_back({share.eigenvalue, -share.sine / (omega * omega), -share.cosine / omega, {}});
+    reaction.shares.push_back({share.eigenvalue, -share.sine, -share.cosine, {}});
   return reaction;
 }
 
