@@ -3,6 +3,7 @@
 
 import subprocess
 import sys
+import tomllib
 import unittest
 
 sys.dont_write_bytecode = True
@@ -96,6 +97,17 @@ class Logs(unittest.TestCase):
         self.assertEqual((run.failed, run.how), (["A.c"], "crash"))
         run = self.run_of(begun + "import time; time.sleep(60)", 0.5)
         self.assertEqual((run.failed, run.how), (["A.c"], "timeout"))
+
+
+class Catalogues(unittest.TestCase):
+    def test_name_what_the_sources_hold(self):
+        _, stale = mistakes.curated_mutants(mutants.ROOT, mutants.FOLDER / "curated.toml")
+        self.assertEqual(stale, [])
+        made = {mutants.place_of(vars(mutant)) for part in mistakes.PARTS
+                for mutant in mistakes.generated_mutants(mutants.ROOT, part, 1)}
+        listed = tomllib.loads((mutants.FOLDER / "survivors.toml").read_text())
+        for entry in listed["equivalent"] + listed["open"]:
+            self.assertIn(mutants.place_of(entry), made)
 
 
 if __name__ == "__main__":
