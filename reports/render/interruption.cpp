@@ -63,7 +63,7 @@ void Interruption::wait_for_signal() {
   while (::sem_wait(&arrival) != 0 && errno == EINTR) continue;
   const int signal = arrived;
   if (signal == 0) return;  // the work is done
-  end_tools();              // whoever waits for one may be lock
+  end_tools();              // whoever waits for one may hold the lock
   const std::lock_guard lock(guard_);
   tell(::program_invocation_short_name, interruption_message_());
   std::_Exit(128 + signal);
