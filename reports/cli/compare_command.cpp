@@ -62,8 +62,9 @@ std::vector<CompareOptions> runs_of(const CompareOptions& options) {
   return runs;
 }
 
-comparison::Comparison compare(const CompareOptions& options, const data::ReferencePackage& package,
-                               const std::function<void(double)>& progress) {
+// Adds the comparison that is asked for, and what is said of it.
+void compare(Judged& judged, const CompareOptions& options, const data::ReferencePackage& package,
+             const std::function<void(double)>& progress) {
   const bool is_quoted = options.manifest.empty();
   const comparison::Reference reference = is_own_run(options)
                                               ? comparison::own_run(options.name, is_quoted)
@@ -86,10 +87,10 @@ comparison::Comparison compare(const CompareOptions& options, const data::Refere
   for (const std::string_view name : split(options.names, ','))
     if (!options.names.empty()) names.emplace_back(name);
   const auto theirs = data::read_user_table(options.file, reference.table, mappings, names, is_quoted);
-  comparison::Comparison result = comparison::compare(reference, theirs, settings);
+  auto comparison = comparison::compare(reference, theirs, settings);
   if (!is_own_run(options))
-    result.diagnoses = comparison::diagnose(result, package, reference.table, theirs, progress);
-  return result;
+    judged.diagnoses = comparison::diagnose(comparison, package, reference.table, theirs, progress);
+  judged.comparison = std::move(comparison);
 }
 
 ExitStatus exit_status_of(comparison::Agreement agreement) {
@@ -127,7 +128,7 @@ Answer compared(const CompareOptions& options, Outputs& outputs) {
     const auto before = static_cast<double>(all.size() - 1), total = static_cast<double>(runs.size());
     ExitStatus status = unusable;
     try {
-      one.comparison = compare(run, package, [&](double share) { progress((before + share) / total); });
+      compare(one, run, package, [&](double share) { progress((before + share) / total); });
       status = exit_status_of(one.comparison->agreement);
     } catch (const data::InputError& error) {
       one.refusal = error.what();
@@ -137,10 +138,9 @@ Answer compared(const CompareOptions& options, Outputs& outputs) {
   outputs.write("--junit", [&] { return junit_of(all); });
   const bool is_one = options.manifest.empty();
   if (is_one && !all.front().comparison) throw data::InputError(all.front().refusal);
-  outputs.write("the table",
-                [&] { return data::plain_text(is_one ? text_of(*all.front().comparison) : text_of(all)); });
+  outputs.write("the table", [&] { return data::plain_text(is_one ? text_of(all.front()) : text_of(all)); });
   if (is_one)
-    outputs.write_json(json_of(*all.front().comparison, options.file));
+    outputs.write_json(json_of(all.front()));
   else
     outputs.write("--json", [&] { return json_text(json_of(all)); });
   outputs.draw(options.name,

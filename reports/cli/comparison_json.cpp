@@ -54,20 +54,6 @@ Json json_of(const comparison::Diagnosis& diagnosis) {
   return object;
 }
 
-}  // namespace
-
-Json json_of(const std::vector<Judged>& all) {
-  Json array = Json::array();
-  for (const Judged& one : all) {
-    if (one.comparison)
-      array.push_back(json_of(*one.comparison, one.file));
-    else
-      array.push_back(
-          {{"data_set", one.name}, {"file", one.file}, {"verdict", "refused"}, {"conclusion", one.refusal}});
-  }
-  return array;
-}
-
 Json json_of(const Comparison& comparison, const std::string& file) {
   Json object{
       {"data_set", comparison.name},
@@ -89,8 +75,26 @@ Json json_of(const Comparison& comparison, const std::string& file) {
       {"diagnoses", Json::array()}};
   for (const auto& quantity : comparison.quantities) object["quantities"].push_back(json_of(quantity));
   for (const auto& part : comparison.parts) object["parts"].push_back(json_of(part, file));
-  for (const auto& diagnosis : comparison.diagnoses) object["diagnoses"].push_back(json_of(diagnosis));
   return object;
+}
+
+}  // namespace
+
+Json json_of(const Judged& judged) {
+  if (!judged.comparison)
+    return {{"data_set", judged.name},
+            {"file", judged.file},
+            {"verdict", "refused"},
+            {"conclusion", judged.refusal}};
+  Json object = json_of(*judged.comparison, judged.file);
+  for (const auto& diagnosis : judged.diagnoses) object["diagnoses"].push_back(json_of(diagnosis));
+  return object;
+}
+
+Json json_of(const std::vector<Judged>& all) {
+  Json array = Json::array();
+  for (const Judged& one : all) array.push_back(json_of(one));
+  return array;
 }
 
 }  // namespace stickslip::cli

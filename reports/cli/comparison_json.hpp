@@ -12,7 +12,7 @@
 namespace stickslip::cli {
 
 /// Everything, the points included; null stands for what is infinite.
-[[nodiscard]] Json json_of(const comparison::Comparison& comparison, const std::string& file);
+[[nodiscard]] Json json_of(const Judged& judged);
 [[nodiscard]] Json json_of(const std::vector<Judged>& all);
 
 }  // namespace stickslip::cli

@@ -142,7 +142,9 @@ std::string text_of(const std::vector<Judged>& all) {
   return table.text();
 }
 
-std::string text_of(const Comparison& comparison) {
+std::string text_of(const Judged& judged) {
+  if (!judged.comparison) return judged.refusal + "\n";
+  const Comparison& comparison = *judged.comparison;
   std::string text = fmt::format("{}: {}\n\n", comparison.name, comparison.title);
   text += quantity_table(comparison.quantities).text() + "\n";
   if (!comparison.parts.empty()) text += part_table(comparison.parts).text() + "\n";
@@ -153,7 +155,7 @@ std::string text_of(const Comparison& comparison) {
   text += coverage_of(comparison) + "\n";
   text += fmt::format("level: {} of {}\n", level_names.at(comparison.level),
                       fmt::join(level_names.begin() + 1, level_names.end(), ", "));
-  for (const auto& diagnosis : comparison.diagnoses)
+  for (const auto& diagnosis : judged.diagnoses)
     text += fmt::format("{}{}{}\n", prefix_of(comparison.quantities.size() > 1 ? diagnosis.quantity : ""),
                         prefix_of(diagnosis.group), diagnosis.sentence);
   return text + fmt::format("{}\n", conclusion_of(comparison));
@@ -192,8 +194,7 @@ std::string junit_of(const std::vector<Judged>& all) {
       set(outcome, "message", one.message);
       set(outcome, "type", one.type);
     }
-    const std::string log = judged.comparison ? text_of(*judged.comparison) : judged.refusal + "\n";
-    suite.append_child("system-out").text() = data::plain_text(judged.file + "\n" + log).c_str();
+    suite.append_child("system-out").text() = data::plain_text(judged.file + "\n" + text_of(judged)).c_str();
     every.insert(every.end(), cases.begin(), cases.end());
   }
   describe(suites, all.size() == 1 ? all.front().name : "stickslip compare", every);

@@ -19,44 +19,6 @@
 
 namespace stickslip::comparison {
 
-// What a result that differs may be: hypotheses, and what is said of it.
-
-/// A possible reason of a difference: a relation of the user's values to the reference, another data set, or a wrong
-/// model.
-struct Hypothesis {
-  std::string name{};            ///< such as "constant-factor" or "zero-initial-velocity"
-  std::vector<double> values{};  ///< what the user has if it is true; NaN where it says nothing
-  int free{};                    ///< numbers in it that were fitted to the user's values
-  std::string sentence{};        ///< without a full stop; of a wrong model its mistake
-  double distance{};             ///< of the user's values from it, relative
-  double from_reference{};       ///< of its values from the reference, relative
-};
-
-enum class Finding {
-  correct,      ///< within the uncertainty of the reference
-  mistaken,     ///< near one of the hypotheses
-  unexplained,  ///< neither correct nor near one
-  undecided     ///< the reference is uncertain: another mesh has different events
-};
-inline constexpr std::array<std::string_view, 4> finding_names{"correct", "mistaken", "unexplained",
-                                                               "undecided"};
-
-/// What is said of one quantity of one group.
-struct Diagnosis {
-  std::string group{};     ///< the first of several with the same sentence
-  std::string quantity{};  ///< the name of the compared quantity
-  std::string sentence{};  ///< such as "like 'dead-load' (...) to 0.3 %, while the reference is 41 % away"
-  std::optional<Finding> finding{};  ///< empty if no diagnosis is possible; the sentence gives the reason
-  double from_reference{};           ///< distance d of the user's values from the reference, relative
-  double distance{};                 ///< of them from what is named, relative
-  double uncertainty{};              ///< u, relative
-  double required_ratio{};           ///< R
-  std::vector<Hypothesis> ranked{};  ///< all wrong models, the nearest first
-  /// If mistaken, the hypothesis that is named and those that are indistinguishable from it. If correct, those
-  /// that are indistinguishable from the reference.
-  std::vector<std::string> named{};
-};
-
 /// The result of a comparison. With the error e of a point, the uncertainty u of the reference there and the
 /// tolerance tol, all in the norm of the quantity, the point
 /// - differs if e > tol + u;
@@ -149,7 +111,6 @@ struct Comparison {
   std::vector<std::string> remarks;  ///< rows and columns that are missing on either side, as sentences
   double horizon = std::numeric_limits<double>::infinity();  ///< s; nothing later was compared
   std::vector<Comparison> parts;  ///< of each of several sequences of events; its name is that of the group
-  std::vector<Diagnosis> diagnoses;  ///< of what differs, if diagnose() was asked (diagnosis/diagnosis.hpp)
 };
 
 /// Compares the values of a user's table with a data set, point by point, according to the kind of the data

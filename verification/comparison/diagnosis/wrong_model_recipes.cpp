@@ -507,6 +507,15 @@ Recipes damping_mistakes() {
   };
 }
 
+// The law times tanh(v_s/width), width in m/s.
+WrongModelRecipe smoothed_over(WrongModel wrong_model, double width) {
+  return {.wrong_model = std::move(wrong_model),
+          .law = FrictionRule{[width](const data::FrictionLaw& law, double v) {
+                                return coefficient_at(law, std::abs(v)) * std::tanh(v / width);
+                              },
+                              false}};
+}
+
 Recipes friction_law_mistakes() {
   return {
       {.wrong_model = {"kinetic-coefficient-as-limit", "mu_m limits the static friction force", "Eq. (4)",
@@ -553,14 +562,6 @@ Recipes all_recipes() {
 }
 
 }  // namespace
-
-WrongModelRecipe smoothed_over(WrongModel wrong_model, double width) {
-  return {.wrong_model = std::move(wrong_model),
-          .law = FrictionRule{[width](const data::FrictionLaw& law, double v) {
-                                return coefficient_at(law, std::abs(v)) * std::tanh(v / width);
-                              },
-                              false}};
-}
 
 const std::vector<WrongModelRecipe>& wrong_model_recipes() {
   static const std::vector<WrongModelRecipe> models = all_recipes();

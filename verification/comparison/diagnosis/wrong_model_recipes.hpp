@@ -52,7 +52,4 @@ struct WrongModelRecipe {
 /// One of them. Throws std::invalid_argument if there is none of that name.
 [[nodiscard]] const WrongModelRecipe& recipe_of(std::string_view wrong_model);
 
-/// The law times tanh(v_s/width), width in m/s.
-[[nodiscard]] WrongModelRecipe smoothed_over(WrongModel wrong_model, double width);
-
 }  // namespace stickslip::comparison

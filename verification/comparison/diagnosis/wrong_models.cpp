@@ -44,32 +44,27 @@ const WrongModelRecipe& right_model() {
   return model;
 }
 
-bool is_of_steady_state(Quantity quantity) { return quantity >= steady_amplitude && quantity <= heat; }
-
-bool is_of_stick_slip(Quantity quantity) { return quantity >= contact_event; }
-
-bool counts(Quantity quantity) {
-  return quantity == stick_frequency || quantity == slip_frequency || quantity == participation ||
-         quantity == contact_event;
-}
-
 void require_abscissa(const data::Case& problem, Quantity quantity, const std::vector<double>& abscissa) {
-  const auto require = [&](bool allowed, double x, const std::string& what) {
-    if (!allowed) throw data::FieldError(fmt::format("an abscissa of {}", name_of(quantity)), x, what);
-  };
+  const auto& properties = properties_of(quantity);
   if (abscissa.empty())
-    throw std::invalid_argument(fmt::format("the abscissa of {} is empty", name_of(quantity)));
-  for (const double x : abscissa) {
-    if (counts(quantity))
-      require(x >= 1.0 && x <= 1000.0 && x == std::floor(x), x, "a whole number from 1 to 1000");
-    else if (quantity == quasi_static_shape)
-      require(x >= 0.0 && x <= problem.beam().length(), x,
-              fmt::format("a position from 0 to {} m", problem.beam().length()));
-    else if (quantity == force_maximum || quantity == critical_amplitude || is_of_steady_state(quantity))
-      require(x > 0.0 && std::isfinite(x), x, "a frequency above 0 Hz");
-    else
-      require(x >= 0.0 && std::isfinite(x), x, "a time from 0 s on");
-  }
+    throw std::invalid_argument(fmt::format("the abscissa of {} is empty", properties.name));
+  const auto require = [&](bool allowed, double x, const std::string& what) {
+    if (!allowed) throw data::FieldError(fmt::format("an abscissa of {}", properties.name), x, what);
+  };
+  for (const double x : abscissa) switch (properties.abscissa) {
+      case Abscissa::number:
+        require(x >= 1.0 && x <= 1000.0 && x == std::floor(x), x, "a whole number from 1 to 1000");
+        break;
+      case Abscissa::place:
+        require(x >= 0.0 && x <= problem.beam().length(), x,
+                fmt::format("a position from 0 to {} m", problem.beam().length()));
+        break;
+      case Abscissa::frequency:
+        require(x > 0.0 && std::isfinite(x), x, "a frequency above 0 Hz");
+        break;
+      case Abscissa::time:
+        require(x >= 0.0 && std::isfinite(x), x, "a time from 0 s on");
+    }
 }
 
 int rounded(double number) { return static_cast<int>(std::lround(number)); }
@@ -342,51 +337,27 @@ OptionalValues stick_slip_values(const WrongModelRecipe& model, const data::Case
 // The result of a model for the case that it computes instead of the given one.
 OptionalValues raw_values(const WrongModelRecipe& model, const data::Case& given, Quantity quantity,
                           const std::vector<double>& abscissa) {
-  const OptionalValues none;
   const std::optional<data::Case> problem = model.inputs ? model.inputs(given) : given;
-  if (!problem) return none;
+  if (!problem) return std::nullopt;
   const double normal_force = given.beam().axial_force();
-  switch (quantity) {
-    case stick_frequency:
-    case slip_frequency:
-    case participation:
-      return modal_values(model, *problem, quantity, abscissa);
-    case quasi_static_shape: {
-      const analytic::QuasiStaticShape shape(problem->beam());
-      return at_each(abscissa, [&](double x) { return shape.value(x); });
-    }
-    case stick_force:
-    case stick_displacement:
-    case stick_velocity:
-    case force_maximum:
-      return held_values(model, *problem, normal_force, quantity, abscissa);
-    case steady_amplitude:
-    case steady_phase:
-    case steady_force_amplitude:
-    case steady_force_phase:
-    case heat:
-      return steady_values(model, *problem, quantity, abscissa);
-    case critical_amplitude: {
-      // Converts to the given amplitude, which the model may have changed.
-      auto values = held_values(model, *problem, normal_force, quantity, abscissa);
-      if (values) values->front() *= given.excitation().amplitude();
-      return values;
-    }
-    case contact_event:
-    case tip_displacement:
-    case friction_force:
-    case tip_velocity:
-    case midspan_displacement:
-    case midspan_velocity:
-      return stick_slip_values(model, *problem, normal_force, quantity, abscissa);
+  const State state = properties_of(quantity).state;
+  if (quantity == quasi_static_shape) {
+    const analytic::QuasiStaticShape shape(problem->beam());
+    return at_each(abscissa, [&](double x) { return shape.value(x); });
   }
-  return none;
+  if (state == State::modal) return modal_values(model, *problem, quantity, abscissa);
+  if (state == State::steady) return steady_values(model, *problem, quantity, abscissa);
+  if (state == State::stick_slip) return stick_slip_values(model, *problem, normal_force, quantity, abscissa);
+  OptionalValues values = held_values(model, *problem, normal_force, quantity, abscissa);
+  // Converts to the given amplitude, which the model may have changed.
+  if (quantity == critical_amplitude) values->front() *= given.excitation().amplitude();
+  return values;
 }
 
 OptionalValues values_of(const WrongModelRecipe& model, const data::Case& problem, Quantity quantity,
                          const std::vector<double>& abscissa) {
   OptionalValues values;
-  if (quantity == force_maximum || quantity == critical_amplitude) {
+  if (properties_of(quantity).state == State::largest) {
     values.emplace();
     data::Case here = problem;
     if (quantity == critical_amplitude) here = with_value(here, "excitation.amplitude", unit_amplitude);
@@ -462,20 +433,8 @@ std::optional<double> distance_of(const ModelResults& model_results, const std::
 
 }  // namespace
 
-data::Norm measure_of(Quantity quantity) {
-  const bool is_relative = quantity == stick_frequency || quantity == slip_frequency ||
-                           quantity == force_maximum || quantity == critical_amplitude ||
-                           quantity == steady_amplitude || quantity == steady_force_amplitude ||
-                           quantity == heat || quantity == contact_event;
-  return is_relative ? data::Norm::relative : data::Norm::scale;
-}
-
-bool is_stick_slip_history(Quantity quantity) {
-  return is_of_stick_slip(quantity) && quantity != contact_event;
-}
-
-std::string_view name_of(Quantity quantity) {
-  return std::ranges::find(quantity_names, quantity, &std::pair<Quantity, std::string_view>::first)->second;
+const QuantityProperties& properties_of(Quantity quantity) {
+  return *std::ranges::find(quantities, quantity, &QuantityProperties::quantity);
 }
 
 const std::vector<WrongModel>& wrong_models() {
@@ -486,8 +445,6 @@ const std::vector<WrongModel>& wrong_models() {
   }();
   return all;
 }
-
-const WrongModel& wrong_model_named(std::string_view name) { return recipe_of(name).wrong_model; }
 
 std::vector<double> reference_result(const data::Case& problem, Quantity quantity,
                                      const std::vector<double>& abscissa) {
@@ -506,36 +463,17 @@ std::optional<std::vector<double>> wrong_result(const data::Case& problem, std::
   return wrong_values(recipe_of(wrong_model), problem, quantity, abscissa);
 }
 
-std::optional<std::vector<double>> result_with(const data::Case& problem, std::string_view key, double factor,
-                                               Quantity quantity, const std::vector<double>& abscissa) {
-  try {
-    return values_of(right_model(), data::with_value(problem, key, factor * data::value_of(problem, key)),
-                     quantity, abscissa);
-  } catch (const data::InputError&) {
-    return std::nullopt;
-  }
-}
-
-std::optional<std::vector<double>> result_smoothed_over(const data::Case& problem, double width,
-                                                        Quantity quantity,
-                                                        const std::vector<double>& abscissa) {
-  return wrong_values(
-      smoothed_over(
-          {.name = fmt::format("smoothed over {}", width), .mistake = {}, .place = {}, .changes = {}}, width),
-      problem, quantity, abscissa);
-}
-
 ModelResults model_results(const data::Case& problem, Quantity quantity, const std::vector<double>& abscissa,
                            const std::function<void(double)>& progress) {
-  ModelResults result{.norm = measure_of(quantity),
+  ModelResults result{.norm = properties_of(quantity).norm,
                       .reference = reference_result(problem, quantity, abscissa),
                       .reference_uncertainty = closed_form_uncertainty,
                       .wrong_models = {}};
   if (std::ranges::all_of(result.reference, [](double value) { return value == 0.0; }))
     throw data::InputError(
         fmt::format("the reference of {} is 0 at every abscissa, but must have a value to compare with",
-                    name_of(quantity)));
-  if (is_of_stick_slip(quantity))
+                    properties_of(quantity).name));
+  if (properties_of(quantity).state == State::stick_slip)
     result.reference_uncertainty =
         distance(result.norm, result.reference, result.reference,
                  values_of(right_model(), coarser(problem), quantity, abscissa).value());
@@ -557,7 +495,7 @@ ModelResults model_results(const std::vector<data::Case>& cases, Quantity quanti
     }
     return all;
   };
-  ModelResults result{.norm = measure_of(quantity),
+  ModelResults result{.norm = properties_of(quantity).norm,
                       .reference = {},
                       .reference_uncertainty = closed_form_uncertainty,
                       .wrong_models = {}};

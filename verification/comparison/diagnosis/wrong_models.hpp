@@ -14,68 +14,81 @@
 #include <string_view>
 #include <vector>
 
-#include "comparison/diagnosis/ranking.hpp"
+#include "comparison/diagnosis/hypothesis.hpp"
 #include "stickslip/data/problem.hpp"
 #include "studies/common/members.hpp"
 
 namespace stickslip::comparison {
 
-/// The quantities that can be compared, with their abscissas. In the first nine the tip is held or free without friction, and
-/// there is no damping; in the next five it is held. The others belong to a run with stick and slip.
+/// The quantities that can be compared.
 enum class Quantity {
-  stick_frequency,         ///< Hz, over the mode number 1, 2, ...
-  slip_frequency,          ///< Hz, over the mode number
-  participation,           ///< C_n of Eq. (25), over the mode number
-  quasi_static_shape,      ///< S(x) of Eq. (18), over x in m
-  force_maximum,           ///< |f_max| over numerics.duration(), N, over the excitation frequency in Hz
-  critical_amplitude,      ///< m, over the excitation frequency in Hz
-  stick_force,             ///< f(t) of Eq. (28), N, over t in s
-  stick_displacement,      ///< y(L/2, t), m, over t in s
-  stick_velocity,          ///< y_t(L/2, t), m/s, over t in s
-  steady_amplitude,        ///< of y(L/2), m, over the excitation frequency in Hz
-  steady_phase,            ///< of y(L/2) against the base, rad, over the excitation frequency in Hz
-  steady_force_amplitude,  ///< of f, N, over the excitation frequency in Hz
-  steady_force_phase,      ///< of f against the base, rad, over the excitation frequency in Hz
-  heat,                    ///< of a period of the steady vibration, J, over the excitation frequency in Hz
-  contact_event,     ///< time in s of the onset or capture number 1, 2, ...; infinite if it does not occur
-  tip_displacement,  ///< y(L, t), m, over t in s
-  friction_force,    ///< f(t), N, over t in s
-  tip_velocity,      ///< y_t(L, t), m/s, over t in s
-  midspan_displacement,  ///< y(L/2, t), m, over t in s
-  midspan_velocity       ///< y_t(L/2, t), m/s, over t in s
+  stick_frequency,         ///< Hz
+  slip_frequency,          ///< Hz
+  participation,           ///< C_n of Eq. (25)
+  quasi_static_shape,      ///< S(x) of Eq. (18)
+  force_maximum,           ///< |f_max| over numerics.duration(), N
+  critical_amplitude,      ///< m
+  stick_force,             ///< f(t) of Eq. (28), N
+  stick_displacement,      ///< y(L/2, t), m
+  stick_velocity,          ///< y_t(L/2, t), m/s
+  steady_amplitude,        ///< of y(L/2), m
+  steady_phase,            ///< of y(L/2) against the base, rad
+  steady_force_amplitude,  ///< of f, N
+  steady_force_phase,      ///< of f against the base, rad
+  heat,                    ///< of a period of the steady vibration, J
+  contact_event,           ///< time in s of an onset or capture; infinite if it does not occur
+  tip_displacement,        ///< y(L, t), m
+  friction_force,          ///< f(t), N
+  tip_velocity,            ///< y_t(L, t), m/s
+  midspan_displacement,    ///< y(L/2, t), m
+  midspan_velocity         ///< y_t(L/2, t), m/s
 };
 
-inline constexpr auto quantity_names = [] {
+/// The number of a mode or an event from 1, x in m, the frequency of the excitation in Hz, or t in s.
+enum class Abscissa { number, place, frequency, time };
+
+/// Of the beam itself, of its largest force, while the tip is held without damping, of the steady vibration with a held tip,
+/// or of a run with stick and slip.
+enum class State { modal, largest, held, steady, stick_slip };
+
+struct QuantityProperties {
+  Quantity quantity{};
+  std::string_view name;
+  data::Norm norm{};
+  Abscissa abscissa{};
+  State state{};
+  std::string_view field{};  ///< of a data set that has no rule for it
+};
+
+inline constexpr std::array<QuantityProperties, 20> quantities = [] {
   using enum Quantity;
-  return std::array<std::pair<Quantity, std::string_view>, 20>{
-      {{stick_frequency, "stick frequency"},
-       {slip_frequency, "slip frequency"},
-       {participation, "participation"},
-       {quasi_static_shape, "quasi-static shape"},
-       {force_maximum, "force maximum"},
-       {critical_amplitude, "critical amplitude"},
-       {stick_force, "stick force"},
-       {stick_displacement, "stick displacement"},
-       {stick_velocity, "stick velocity"},
-       {steady_amplitude, "steady amplitude"},
-       {steady_phase, "steady phase"},
-       {steady_force_amplitude, "steady force amplitude"},
-       {steady_force_phase, "steady force phase"},
-       {heat, "heat"},
-       {contact_event, "contact event"},
-       {tip_displacement, "tip displacement"},
-       {friction_force, "friction force"},
-       {tip_velocity, "tip velocity"},
-       {midspan_displacement, "midspan displacement"},
-       {midspan_velocity, "midspan velocity"}}};
+  using enum Abscissa;
+  using enum State;
+  constexpr auto relative = data::Norm::relative, scale = data::Norm::scale;
+  return std::array<QuantityProperties, 20>{
+      {{stick_frequency, "stick frequency", relative, number, modal},
+       {slip_frequency, "slip frequency", relative, number, modal},
+       {participation, "participation", scale, number, modal},
+       {quasi_static_shape, "quasi-static shape", scale, place, modal},
+       {force_maximum, "force maximum", relative, frequency, largest},
+       {critical_amplitude, "critical amplitude", relative, frequency, largest},
+       {stick_force, "stick force", scale, time, held, "friction_force"},
+       {stick_displacement, "stick displacement", scale, time, held, "midspan_displacement"},
+       {stick_velocity, "stick velocity", scale, time, held, "midspan_velocity"},
+       {steady_amplitude, "steady amplitude", relative, frequency, steady, "midspan_amplitude"},
+       {steady_phase, "steady phase", scale, frequency, steady, "midspan_phase"},
+       {steady_force_amplitude, "steady force amplitude", relative, frequency, steady, "force_amplitude"},
+       {steady_force_phase, "steady force phase", scale, frequency, steady, "force_phase"},
+       {heat, "heat", relative, frequency, steady, "heat"},
+       {contact_event, "contact event", relative, number, stick_slip},
+       {tip_displacement, "tip displacement", scale, time, stick_slip, "tip_displacement"},
+       {friction_force, "friction force", scale, time, stick_slip, "friction_force"},
+       {tip_velocity, "tip velocity", scale, time, stick_slip, "tip_velocity"},
+       {midspan_displacement, "midspan displacement", scale, time, stick_slip, "midspan_displacement"},
+       {midspan_velocity, "midspan velocity", scale, time, stick_slip, "midspan_velocity"}}};
 }();
 
-[[nodiscard]] std::string_view name_of(Quantity quantity);
-
-/// Whether it is a history of a run with stick and slip.
-[[nodiscard]] bool is_stick_slip_history(Quantity quantity);
-
-[[nodiscard]] data::Norm measure_of(Quantity quantity);
+[[nodiscard]] const QuantityProperties& properties_of(Quantity quantity);
 
 struct WrongModel {
   std::string name;     ///< such as "zero-initial-velocity"
@@ -89,9 +102,6 @@ STICKSLIP_MEMBERS(WrongModel, (name, "-"), (mistake, "-"), (place, "-"))
 
 /// All wrong models: mistakes in inputs, equations, initial conditions, mesh and time steps, and friction.
 [[nodiscard]] const std::vector<WrongModel>& wrong_models();
-
-/// One of them. Throws std::invalid_argument if there is none of that name.
-[[nodiscard]] const WrongModel& wrong_model_named(std::string_view name);
 
 /// The result of a wrong model for a quantity. It is empty if the model does not define the quantity, if the
 /// mistake is not possible in this problem (the other axis of a square section), or if there is no such state
@@ -108,17 +118,6 @@ STICKSLIP_MEMBERS(WrongModel, (name, "-"), (mistake, "-"), (place, "-"))
 /// that of the undamped one; data::InputError if the beam buckles or flutters.
 [[nodiscard]] std::vector<double> reference_result(const data::Case& problem, Quantity quantity,
                                                    const std::vector<double>& abscissa);
-
-/// The right result of the case with this number multiplied by a factor; empty if there is no such state. Throws what
-/// data::with_value() throws for a key that the case does not have.
-[[nodiscard]] std::optional<std::vector<double>> result_with(const data::Case& problem, std::string_view key,
-                                                             double factor, Quantity quantity,
-                                                             const std::vector<double>& abscissa);
-
-/// The result of the case in a run with the friction law times tanh(v_s/width), width in m/s; empty as above.
-[[nodiscard]] std::optional<std::vector<double>> result_smoothed_over(const data::Case& problem, double width,
-                                                                      Quantity quantity,
-                                                                      const std::vector<double>& abscissa);
 
 /// The results of the right model and of all wrong models. The uncertainty of the reference is 1e-9 in closed form; in
 /// stick-slip it is the distance from a run with twice the time step and half the elements, which is at least three

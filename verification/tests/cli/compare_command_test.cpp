@@ -297,9 +297,10 @@ TEST_F(CompareCommand, JudgesEachSequence) {
 }
 
 // A comparison that differs and covers too little, with all that can be said of a quantity.
-comparison::Comparison made_up() {
+cli::Judged made_up() {
   using comparison::Agreement;
-  comparison::Comparison comparison;
+  cli::Judged judged{.name = "set", .file = "mine.csv"};
+  comparison::Comparison& comparison = judged.comparison.emplace();
   comparison.name = "set", comparison.title = "A title";
   comparison.abscissa = "x", comparison.abscissa_unit = "m";
   comparison.agreement = Agreement::differs;
@@ -321,17 +322,17 @@ comparison::Comparison made_up() {
   t.where = "event 1", t.compared = 6, t.undecided = 5;
   add("f", "N", data::Norm::relative, {}, Agreement::undecided);
   add("w", "", data::Norm::word, 0.0, Agreement::agrees).compared = 4;
-  comparison.diagnoses = {{.group = "run = a",
-                           .quantity = "y",
-                           .sentence = "like one",
-                           .finding = comparison::Finding::unexplained,
-                           .from_reference = 0.1,
-                           .uncertainty = 0.25,
-                           .required_ratio = 4.0,
-                           .ranked = {{.name = "tension", .distance = 0.5, .from_reference = 0.75}},
-                           .named = {"one"}},
-                          {.quantity = "t", .sentence = "no diagnosis"}};
-  return comparison;
+  judged.diagnoses = {{.group = "run = a",
+                       .quantity = "y",
+                       .sentence = "like one",
+                       .finding = comparison::Finding::unexplained,
+                       .from_reference = 0.1,
+                       .uncertainty = 0.25,
+                       .required_ratio = 4.0,
+                       .ranked = {{.name = "tension", .distance = 0.5, .from_reference = 0.75}},
+                       .named = {"one"}},
+                      {.quantity = "t", .sentence = "no diagnosis"}};
+  return judged;
 }
 
 TEST_F(CompareCommand, SaysAllThatTheComparisonFound) {
@@ -345,10 +346,11 @@ TEST_F(CompareCommand, SaysAllThatTheComparisonFound) {
       "y: not compared: 2 beyond the horizon, 3 outside the range\na remark\n"
       "coverage: 58.3 %, at least 90 % needed\nlevel: none of 1e-1, 1e-2, 1e-3, strict\n"
       "y: run = a: like one\nt: no diagnosis\n";
-  auto comparison = made_up();
-  EXPECT_EQ(cli::text_of(comparison), text + "differs\n");
+  auto judged = made_up();
+  comparison::Comparison& comparison = *judged.comparison;
+  EXPECT_EQ(cli::text_of(judged), text + "differs\n");
   pugi::xml_document document;
-  ASSERT_TRUE(document.load_string(cli::junit_of({{"set", "mine.csv", comparison, ""}}).c_str()));
+  ASSERT_TRUE(document.load_string(cli::junit_of({judged}).c_str()));
   for (const auto& suite : document.select_nodes("//testsuites | //testsuite"))
     for (const auto& [attribute, count] : {std::pair{"tests", 5}, {"failures", 1}, {"errors", 3}})
       EXPECT_EQ(suite.node().attribute(attribute).as_int(), count);
@@ -364,21 +366,21 @@ TEST_F(CompareCommand, SaysAllThatTheComparisonFound) {
   EXPECT_EQ(document.select_node("//system-out").node().text().get(), "mine.csv\n" + text + "differs\n");
   comparison.agreement = comparison::Agreement::undecided;
   EXPECT_TRUE(
-      cli::text_of(comparison).ends_with("\nundecided: nothing differs, but the file covers too little\n"));
+      cli::text_of(judged).ends_with("\nundecided: nothing differs, but the file covers too little\n"));
   comparison.coverage = comparison.required_coverage;
-  EXPECT_TRUE(cli::text_of(comparison)
-                  .ends_with("\nundecided: nothing differs, but the reference does not settle everything\n"));
+  EXPECT_TRUE(cli::text_of(judged).ends_with(
+      "\nundecided: nothing differs, but the reference does not settle everything\n"));
   comparison.quantities.resize(1);
-  EXPECT_TRUE(holds(cli::text_of(comparison), "strict\nrun = a: like one\n"));
+  EXPECT_TRUE(holds(cli::text_of(judged), "strict\nrun = a: like one\n"));
 
-  comparison.quantities = {made_up().quantities.back()};
+  comparison.quantities = {made_up().comparison->quantities.back()};
   comparison.rows = 21, comparison.all_rows = 40;
   comparison.row_numbers = std::string(40, '1');
-  EXPECT_TRUE(holds(cli::text_of(comparison), "more are asked for; --rows " + comparison.row_numbers));
+  EXPECT_TRUE(holds(cli::text_of(judged), "more are asked for; --rows " + comparison.row_numbers));
   comparison.row_numbers += '1';  // which is too long to be repeated
-  EXPECT_TRUE(holds(cli::text_of(comparison), "more are asked for\n"));
+  EXPECT_TRUE(holds(cli::text_of(judged), "more are asked for\n"));
 
-  const auto json = cli::json_of(made_up(), "mine.csv");
+  const auto json = cli::json_of(made_up());
   EXPECT_EQ(json["quantities"][0], cli::Json::parse(R"({"quantity": "y", "unit": "m", "norm": "range",
     "error": 0.163, "where": "x = 2 m", "uncertainty": 0.0815, "tolerance": 0.005, "verdict": "differs",
     "level": "none", "scaled_error": 0.0, "compared": 2, "undecided": 0, "skipped": [{"reason": "beyond the horizon", "points": 2},

@@ -2,7 +2,6 @@
 /// Somebody's results against reference data: a point has the verdict of its definition, a copy agrees, an error of
 /// known size is found where it is, events are aligned at the least cost, and known mistakes are named.
 
-#include "comparison/diagnosis/wrong_models.hpp"
 #include "comparison/event_sequence.hpp"
 #include "comparison/groups.hpp"
 #include "comparison/samples.hpp"
@@ -15,7 +14,6 @@ namespace {
 
 using comparison::Agreement;
 using comparison::Comparison;
-using comparison::Finding;
 using comparison::SequenceMatch;
 using comparison::TabulatedEvent;
 using data::Norm;
@@ -250,9 +248,9 @@ TEST(ComparedTable, RefusesRowsThatTheDataSetLacks) {
 
 TEST(ComparedTable, SaysOnceWhatTwoGroupsLookLike) {
   auto mine = own_copy("stick-frequencies");
-  EXPECT_TRUE(mine.diagnosed().diagnoses.empty());
+  EXPECT_TRUE(mine.diagnosed().empty());
   for (double& frequency : mine["frequency"]) frequency *= 2.0;
-  const auto diagnoses = mine.diagnosed().diagnoses;
+  const auto diagnoses = mine.diagnosed();
   ASSERT_EQ(diagnoses.size(), 1u);
   EXPECT_EQ(diagnoses[0].group, "beam = paper and 1 more");
 }
@@ -379,55 +377,6 @@ TEST(EventSequence, SaysTheContactAtATime) {
            {0.5, 0}, {1.0, 1}, {1.5, 1}, {2.0, -1}, {2.5, -1}, {3.0, 0}, {9.0, 0}})
     EXPECT_EQ(comparison::contact_at(events, t), contact) << t;
   EXPECT_EQ(comparison::contact_at({events[2]}, 0.5), 1);
-}
-
-// --- what it looks like
-
-STICKSLIP_VERIFIES(DiagnosisOfMistake, "X20");
-TEST(DiagnosisOfMistake, IsTheMistakeThatWasMade) {
-  using enum comparison::Quantity;
-  struct Mistake {
-    const char *set, *value, *wrong_model, *problem;
-    comparison::Quantity quantity;
-  };
-  for (const auto& [set, value, wrong_model, problem, quantity] :
-       {Mistake{"stick-frequencies", "frequency", "lumped-mass", "paper", stick_frequency},
-        Mistake{"quasi-static-shape", "shape", "tension", "paper", quasi_static_shape},
-        Mistake{"stick-force", "friction_force", "dead-load", "paper", stick_force},
-        Mistake{"damped-events", "time", "damping-left-out", "damped", contact_event},
-        Mistake{"damped-history", "tip_displacement", "regularised-friction", "damped", tip_displacement}}) {
-    const std::string& abscissa = small_package().resource(set).diagnosis->abscissa;
-    auto mine = own_copy(set, {"beam", "change", abscissa, value});
-    if (quantity == stick_frequency || quantity == contact_event) mine.keep_first(6);
-    mine[value] = comparison::wrong_result(with_the_settings_of_the_paper(problem), wrong_model, quantity,
-                                           mine[abscissa])
-                      .value();
-    const Comparison comparison = mine.diagnosed();
-    EXPECT_EQ(comparison.agreement, Agreement::differs);
-    ASSERT_EQ(comparison.diagnoses.size(), 1u);
-    const auto& diagnosis = comparison.diagnoses.front();
-    EXPECT_EQ(diagnosis.finding, Finding::mistaken) << diagnosis.sentence;
-    EXPECT_GT(std::ranges::count(diagnosis.named, wrong_model), 0) << diagnosis.sentence;
-  }
-}
-
-TEST(DiagnosisOfMistake, IsNoneOfAnUnknownMistake) {
-  const auto diagnosis_of = [](OwnCopy mine, const char* column, const Values& changes,
-                               const comparison::Settings& settings) {
-    for (std::size_t row = 0; row < mine.table.rows(); ++row) mine[column][row] += changes[row % 2];
-    const Comparison comparison = mine.diagnosed(settings);
-    EXPECT_EQ(comparison.agreement, Agreement::differs);
-    EXPECT_EQ(comparison.diagnoses.size(), 1u);  // of the column alone
-    EXPECT_EQ(comparison.diagnoses.at(0).quantity, column);
-    return comparison.diagnoses.at(0);
-  };
-  EXPECT_TRUE(diagnosis_of(own_copy("cubic-history"), "y", {1.0, -1.0}, {})
-                  .sentence.starts_with("no diagnosis: no factor"));
-  EXPECT_EQ(diagnosis_of(own_copy("damped-history"), "friction_force", {30.0, -30.0}, {}).finding,
-            Finding::unexplained);
-  EXPECT_TRUE(diagnosis_of(own_copy("damped-history", {"t", "tip_displacement"}), "tip_displacement",
-                           {1e-7, -1e-7}, with_tolerance("", 1e-6))
-                  .sentence.ends_with("is too small to be assigned to a mistake"));
 }
 
 }  // namespace

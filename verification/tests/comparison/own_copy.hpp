@@ -82,7 +82,7 @@ class OwnCopy {
     return *this;
   }
 
-  /// The comparison with the data set, and that for one quantity, without and with a diagnosis.
+  /// The comparison with the data set, that for one quantity, and what is said of what differs.
   [[nodiscard]] comparison::Comparison compared(const comparison::Settings& settings = {}) const {
     return comparison::compare(reference_, table, settings);
   }
@@ -90,10 +90,9 @@ class OwnCopy {
                                                           const comparison::Settings& settings = {}) const {
     return quantity_of(compared(settings), quantity);
   }
-  [[nodiscard]] comparison::Comparison diagnosed(const comparison::Settings& settings = {}) const {
-    comparison::Comparison result = compared(settings);
-    result.diagnoses = comparison::diagnose(result, *package_, reference(), table);
-    return result;
+  [[nodiscard]] std::vector<comparison::Diagnosis> diagnosed(
+      const comparison::Settings& settings = {}, const std::function<void(double)>& progress = {}) const {
+    return comparison::diagnose(compared(settings), *package_, reference(), table, progress);
   }
 
   /// Why it cannot be compared; "accepted" if it can.

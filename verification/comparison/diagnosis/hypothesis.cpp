@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "comparison/diagnosis/ranking.hpp"
+#include "comparison/diagnosis/hypothesis.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -22,8 +22,14 @@ using Values = std::vector<double>;
 // Allowed probability that an unrelated error is assigned to a hypothesis.
 constexpr double accidental_share = 0.01;
 constexpr std::size_t most_named = 3;  // in a sentence
-// What is farther away explains nothing, however far the reference is; empirical.
-constexpr double farthest = 0.2;
+
+const Acceptance& acceptance_of(Kind kind) {
+  return *std::ranges::find(acceptances, kind, &Acceptance::kind);
+}
+
+bool is_near(const Hypothesis& one, double whole, double ratio) {
+  return one.distance * ratio <= std::min(whole, 1.0) && one.distance <= acceptance_of(one.kind).farthest;
+}
 
 double root_mean_square(const Values& values) {
   double sum = 0.0;
@@ -41,7 +47,6 @@ Values scaled_difference(data::Norm norm, const Values& reference, const Values&
 
 // The R of the wrong models that change more than the uncertainty.
 double ratio_for(const ModelResults& results, double uncertainty) {
-  constexpr double least = 3.0;
   std::vector<Values> directions;
   for (const Hypothesis& one : results.wrong_models) {
     if (!std::isfinite(one.from_reference) || one.from_reference <= uncertainty) continue;
@@ -49,7 +54,7 @@ double ratio_for(const ModelResults& results, double uncertainty) {
     const double length = root_mean_square(directions.back());
     for (double& component : directions.back()) component /= length;
   }
-  if (directions.empty()) return least;
+  if (directions.empty()) return required_ratio(Kind::wrong_model, 0.0, 1.0);
   double sum = 0.0;
   for (const auto& a : directions)
     for (const auto& b : directions) {
@@ -59,7 +64,7 @@ double ratio_for(const ModelResults& results, double uncertainty) {
       sum += cosine * cosine;
     }
   const auto count = static_cast<double>(directions.size());
-  return required_ratio(count, count * count / sum, 0, least);
+  return required_ratio(Kind::wrong_model, count, count * count / sum);
 }
 
 void require_usable(const ModelResults& results, const Values& values, const Values& uncertainty) {
@@ -75,7 +80,7 @@ void require_usable(const ModelResults& results, const Values& values, const Val
 }
 
 // The nearest wrong model that changes something: the others are no explanation. Null if there is none.
-const Hypothesis* nearest_of(const Diagnosis& diagnosis) {
+const Hypothesis* nearest_model_of(const Diagnosis& diagnosis) {
   const auto found = std::ranges::find_if(
       diagnosis.ranked, [&](const Hypothesis& one) { return one.from_reference > diagnosis.uncertainty; });
   return found == diagnosis.ranked.end() ? nullptr : &*found;
@@ -101,46 +106,51 @@ double distance(data::Norm norm, const Values& reference, const Values& a, const
   return std::isfinite(result) ? result : std::numeric_limits<double>::infinity();
 }
 
-double required_ratio(double tried, double dimension, int free, double least) {
-  const double n = dimension - free;
+double required_ratio(Kind kind, double tried, double dimension, int free) {
+  const Acceptance& asked = acceptance_of(kind);
+  const double n = std::min(dimension, asked.most_dimension) - free;
   if (n <= 0.0) return std::numeric_limits<double>::infinity();
   const double choices = tried / (accidental_share * (free == 0 ? std::numbers::ln10 : 1.0));
-  return std::max(least, std::pow(choices, 1.0 / n));
+  return std::max(asked.least_ratio, std::pow(choices, 1.0 / n));
 }
 
-double required_ratio(std::size_t values, int free, int tried) {
-  constexpr std::size_t most_independent = 6;
-  return required_ratio(tried, static_cast<double>(std::min(values, most_independent)), free, 10.0);
-}
-
-std::optional<Hypothesis> accepted(const ComparedValues& values, Hypothesis hypothesis, int tried) {
+Hypothesis judged(data::Norm norm, const Comparison::Series& series, Hypothesis one, double tried) {
   Values theirs, reference, expected;
-  for (std::size_t i = 0; i < hypothesis.values.size(); ++i) {
-    if (std::isnan(hypothesis.values[i])) continue;
-    theirs.push_back(values.theirs[i]);
-    reference.push_back(values.reference[i]);
-    expected.push_back(hypothesis.values[i]);
+  bool explains = false;
+  for (std::size_t i = 0; i < one.values.size(); ++i) {
+    if (std::isnan(one.values[i])) continue;
+    theirs.push_back(series.theirs[i]);
+    reference.push_back(series.reference[i]);
+    expected.push_back(one.values[i]);
+    explains = explains || !(std::abs(theirs.back() - reference.back()) <= series.allowed[i]);
   }
-  if (expected.size() < 3) return {};
-  const double whole = distance(values.norm, reference, theirs, reference);
-  hypothesis.distance = distance(values.norm, reference, theirs, expected);
-  hypothesis.from_reference = distance(values.norm, reference, expected, reference);
-  const double ratio = required_ratio(expected.size(), hypothesis.free, tried);
-  if (!std::isfinite(whole) || !(hypothesis.distance * ratio <= whole)) return {};
-  return hypothesis;
+  const auto& scale = acceptance_of(one.kind).is_in_own_scale ? expected : reference;
+  one.distance = distance(norm, scale, theirs, expected);
+  one.from_reference = distance(norm, reference, expected, reference);
+  const double whole = distance(norm, reference, theirs, reference);
+  const double ratio = required_ratio(one.kind, tried, static_cast<double>(expected.size()), one.free);
+  one.is_accepted = explains && 2 * expected.size() >= series.theirs.size() && is_near(one, whole, ratio);
+  return one;
 }
 
-Values relative_to_data(data::Norm norm, Values values, const Values& right, const Values& data) {
-  for (std::size_t i = 0; i < data.size(); ++i)
-    values[i] =
-        norm == data::Norm::relative ? data[i] * (values[i] / right[i]) : data[i] + (values[i] - right[i]);
-  return values;
+double rank_of(const Hypothesis& one) {
+  constexpr double round_off = 1e-12, fitted = 10.0;
+  return std::max(one.distance, round_off) * (one.free > 0 ? fitted : 1.0);
+}
+
+const Hypothesis* nearest_of(const std::vector<Hypothesis>& hypotheses) {
+  const Hypothesis* nearest = nullptr;
+  for (const Hypothesis& one : hypotheses)
+    if (one.is_accepted && (nearest == nullptr || rank_of(one) < rank_of(*nearest))) nearest = &one;
+  return nearest;
 }
 
 ModelResults relative_to_data(ModelResults results, const Values& data) {
   const Values right = std::exchange(results.reference, data);
   for (Hypothesis& one : results.wrong_models) {
-    one.values = relative_to_data(results.norm, std::move(one.values), right, data);
+    for (std::size_t i = 0; i < data.size(); ++i)
+      one.values[i] = results.norm == data::Norm::relative ? data[i] * (one.values[i] / right[i])
+                                                           : data[i] + (one.values[i] - right[i]);
     one.from_reference = distance(results.norm, data, one.values, data);
   }
   results.reference_uncertainty = distance(results.norm, data, right, data);
@@ -171,9 +181,9 @@ Diagnosis diagnose(const ModelResults& results, const Values& values, const Valu
   } else if (diagnosis.from_reference <= diagnosis.uncertainty) {
     diagnosis.finding = Finding::correct;
     name_indistinguishable_from(reference, -1.0);
-  } else if (const Hypothesis* const nearest = nearest_of(diagnosis);
-             nearest != nullptr && nearest->distance <= farthest &&
-             nearest->distance * diagnosis.required_ratio <= diagnosis.from_reference) {
+  } else if (const Hypothesis* const nearest = nearest_model_of(diagnosis);
+             nearest != nullptr && is_near(*nearest, diagnosis.from_reference, diagnosis.required_ratio)) {
+    diagnosis.distance = nearest->distance;
     diagnosis.finding = Finding::mistaken;
     name_indistinguishable_from(nearest->values, diagnosis.uncertainty);
   } else {
@@ -188,18 +198,11 @@ std::string percent(double share) { return fmt::format("{:.2g} %", 100.0 * share
 std::string sentence(const Diagnosis& diagnosis) {
   const std::string from_reference = percent(diagnosis.from_reference);
   switch (diagnosis.finding.value()) {
-    case Finding::correct: {
-      std::string text = fmt::format("correct: {} from the reference, within the uncertainty of {}",
-                                     from_reference, percent(diagnosis.uncertainty));
-      if (diagnosis.named.size() > most_named)
-        text += fmt::format("; {} known mistakes cannot be distinguished from the reference",
-                            diagnosis.named.size());
-      else if (!diagnosis.named.empty())
-        text += fmt::format("; {} cannot be distinguished from the reference", quoted(diagnosis.named));
-      return text;
-    }
+    case Finding::correct:
+      return fmt::format("no diagnosis: the difference of {} is too small to be assigned to a mistake",
+                         from_reference);
     case Finding::mistaken: {
-      const Hypothesis& nearest = *nearest_of(diagnosis);
+      const Hypothesis& nearest = *nearest_model_of(diagnosis);
       const std::vector<std::string> others(diagnosis.named.begin() + 1, diagnosis.named.end());
       const bool are_many = diagnosis.named.size() > most_named;
       std::string text =
@@ -218,7 +221,7 @@ std::string sentence(const Diagnosis& diagnosis) {
       break;
   }
   std::string text = fmt::format("wrong by {}, not near any known mistake", from_reference);
-  if (const Hypothesis* const nearest = nearest_of(diagnosis))
+  if (const Hypothesis* const nearest = nearest_model_of(diagnosis))
     text +=
         fmt::format("; the nearest, '{}', is {} away and would have to be within {}", nearest->name,
                     percent(nearest->distance), percent(diagnosis.from_reference / diagnosis.required_ratio));
