@@ -116,6 +116,7 @@ data::Case case_of_row(data::Case problem, const data::ReferenceTable& reference
 struct Observation {
   QuantityProperties quantity;
   data::Case problem;
+  double latest{};  // s; nothing later was taken
   Series series{};
   std::vector<data::Case> cases{};
 };
@@ -183,14 +184,18 @@ SeenRows seen_events(const DeviatingQuantity& deviating) {
 }
 
 // The wrong models are tried for five periods of stick and slip, or three without damping. Later on, small errors grow.
+double latest_of(const data::Resource& resource, const data::Case& problem,
+                 const QuantityProperties& quantity) {
+  if (quantity.state != State::stick_slip || quantity.abscissa != Abscissa::time ||
+      resource.stated.tip == "held")
+    return std::numeric_limits<double>::infinity();
+  return (problem.damping.is_none() ? 3.0 : 5.0) / problem.excitation().frequency_hz();
+}
+
 SeenRows seen_of(const DeviatingQuantity& deviating, const Observation& observation) {
-  const data::Case& problem = observation.problem;
-  const State state = observation.quantity.state;
   if (observation.quantity.quantity == Quantity::contact_event) return seen_events(deviating);
-  double latest = std::numeric_limits<double>::infinity();
-  if (state == State::stick_slip && deviating.reference.resource.stated.tip != "held")
-    latest = (problem.damping.is_none() ? 3.0 : 5.0) / problem.excitation().frequency_hz();
-  const SeenRows seen = seen_rows(deviating, problem.beam(), latest);
+  const State state = observation.quantity.state;
+  const SeenRows seen = seen_rows(deviating, observation.problem.beam(), observation.latest);
   return spread(seen, state == State::largest ? 8 : state == State::steady ? 30 : 400);
 }
 
@@ -202,6 +207,7 @@ std::optional<Observation> observed(const DeviatingQuantity& deviating, Quantity
   const Series& series = deviating.series;
   const auto& rule = reference.resource.diagnosis;
   Observation all{.quantity = properties_of(quantity), .problem = *problem};
+  all.latest = latest_of(reference.resource, *problem, all.quantity);
   const auto& abscissa = reference.column(rule                                  ? rule->abscissa
                                           : all.quantity.state == State::steady ? "frequency"
                                                                                 : "time");
@@ -245,12 +251,34 @@ Hypothesis all_modes(const DeviatingQuantity& deviating, const Observation& seen
   return judged(seen.quantity.norm, seen.series, one, 1.0);
 }
 
-Diagnosis diagnosed_by_models(const Observation& seen, const std::function<void(double)>& progress) {
+// A data set that some of many named mistakes change and others do not.
+std::string where_told_apart(const Diagnosis& found, const data::ReferencePackage& package,
+                             std::string_view quantity) {
+  if (found.finding != Finding::mistaken || found.named.size() < 2) return "";
+  for (const data::Resource& other : package.resources) {
+    if (!other.diagnosis || other.diagnosis->quantity == quantity) continue;
+    const auto changed = std::ranges::count_if(found.named, [&](const std::string& name) {
+      return std::ranges::count(recipe_of(name).wrong_model.changes, other.diagnosis->quantity,
+                                [](Quantity one) { return properties_of(one).name; }) > 0;
+    });
+    if (changed > 0 && changed < std::ssize(found.named))
+      return fmt::format("; the data set {} tells some of them apart", other.name);
+  }
+  return "";
+}
+
+Diagnosis diagnosed_by_models(const DeviatingQuantity& deviating, const Observation& seen,
+                              const std::function<void(double)>& progress) {
   const Quantity quantity = seen.quantity.quantity;
-  const ModelResults computed = seen.cases.empty()
-                                    ? model_results(seen.problem, quantity, seen.series.abscissa, progress)
-                                    : model_results(seen.cases, quantity, seen.series.abscissa, progress);
-  return diagnose(relative_to_data(computed, seen.series.reference), seen.series.theirs, seen.series.allowed);
+  const std::vector<double>& abscissa = seen.series.abscissa;
+  const ModelResults computed = seen.cases.empty() ? model_results(seen.problem, quantity, abscissa, progress)
+                                                   : model_results(seen.cases, quantity, abscissa, progress);
+  Diagnosis found =
+      diagnose(relative_to_data(computed, seen.series.reference), seen.series.theirs, seen.series.allowed);
+  if (found.finding == Finding::correct && std::isfinite(seen.latest))
+    found.sentence += fmt::format(", up to {:g} s", seen.latest);
+  found.sentence += where_told_apart(found, deviating.package, seen.quantity.name);
+  return found;
 }
 
 // --- the nearest of all hypotheses
@@ -324,7 +352,7 @@ Diagnosis diagnosed(const DeviatingQuantity& deviating, const std::function<void
   try {
     const auto seen = quantity ? observed(deviating, *quantity) : std::nullopt;
     if (seen && !seen->cases.empty()) tried.push_back(all_modes(deviating, *seen));
-    if (seen && !is_explained(deviating, tried)) by_models = diagnosed_by_models(*seen, progress);
+    if (seen && !is_explained(deviating, tried)) by_models = diagnosed_by_models(deviating, *seen, progress);
   } catch (const data::InputError& error) {  // there is no such state
     by_models.sentence = fmt::format("no diagnosis: {}", error.what());
   }
