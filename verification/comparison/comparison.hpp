@@ -4,6 +4,7 @@
 /// The comparison of a user's results with the published reference data.
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <filesystem>
 #include <limits>
@@ -73,6 +74,10 @@ struct Comparison {
     std::vector<double> half_width;  ///< of the reference, interpolation included
     /// The largest difference that still agrees, in the unit of the quantity.
     std::vector<double> allowed;
+
+    [[nodiscard]] bool differs_at(std::size_t i) const {
+      return !(std::abs(theirs[i] - reference[i]) <= allowed[i]);  // NaN differs
+    }
   };
 
   struct Quantity {

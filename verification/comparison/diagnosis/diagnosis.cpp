@@ -24,7 +24,7 @@ using SeenRows = std::vector<std::pair<double, std::size_t>>;  // a user's value
 
 bool differs(const Series& series) {
   for (std::size_t i = 0; i < series.theirs.size(); ++i)
-    if (!(std::abs(series.theirs[i] - series.reference[i]) <= series.allowed[i])) return true;
+    if (series.differs_at(i)) return true;
   return false;
 }
 

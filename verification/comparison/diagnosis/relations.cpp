@@ -173,7 +173,7 @@ Candidates single_values(const DeviatingQuantity& deviating) {
   Rows wrong;
   const std::size_t size = series.theirs.size();
   for (std::size_t i = 0; i < size; ++i)
-    if (!(std::abs(series.theirs[i] - series.reference[i]) <= series.allowed[i])) {
+    if (series.differs_at(i)) {
       wrong.push_back(i);
       one.values[i] = series.theirs[i];
     }
