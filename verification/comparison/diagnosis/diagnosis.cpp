@@ -350,7 +350,8 @@ Diagnosis diagnosed(const DeviatingQuantity& deviating, const std::function<void
   const auto quantity = quantity_of(deviating.reference.resource, deviating.quantity.name);
   Diagnosis by_models;
   try {
-    const auto seen = quantity ? observed(deviating, *quantity) : std::nullopt;
+    const auto seen =
+        quantity && !is_explained(deviating, tried) ? observed(deviating, *quantity) : std::nullopt;
     if (seen && !seen->cases.empty()) tried.push_back(all_modes(deviating, *seen));
     if (seen && !is_explained(deviating, tried)) by_models = diagnosed_by_models(deviating, *seen, progress);
   } catch (const data::InputError& error) {  // there is no such state

@@ -13,7 +13,7 @@ namespace stickslip::comparison {
 
 /// A diagnosis for each quantity and group that differs, by the nearest of all hypotheses that are accepted (hypothesis.hpp):
 /// - relations of the numbers (relations.hpp); events are also taken by their number, if some are missing or additional;
-/// - for maxima of ten modes, the values of all modes;
+/// - for maxima of ten modes, the values of all modes, unless a relation explains the values to the tolerance;
 /// - the wrong models (wrong_models.hpp), if the data set names the case. They take seconds, and are not run where one of the
 ///   others explains the values to the tolerance. The effect of each is computed by one method with and without the mistake and
 ///   applied to the values of the data set (relative_to_data()). At most 8 forces over 10 s, 30 frequencies, 12 events or five
