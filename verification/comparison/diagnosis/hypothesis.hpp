@@ -22,17 +22,19 @@ struct Acceptance {
   double least_ratio{};     ///< of the ratio R
   double most_dimension{};  ///< of the dimension n: neighbouring values are correlated
   double farthest{};        ///< the largest distance, however far the reference is
-  bool
-      is_in_own_scale{};  ///< distances are measured by its own values, because small factors bring all near zero
+  /// Distances are measured by its own values, because small factors bring all near zero.
+  bool is_in_own_scale{};
 };
 
 /// One row for each kind. The numbers are empirical; the rule is that of required_ratio(). The dimension of wrong models is measured.
-inline constexpr double any = std::numeric_limits<double>::infinity();
-inline constexpr std::array<Acceptance, 5> acceptances{{{Kind::factor, 100.0, 6.0, any, true},
-                                                        {Kind::relation, 10.0, 6.0, any, false},
-                                                        {Kind::zeros, 1e4, 6.0, any, false},
-                                                        {Kind::all_modes, 3.0, any, any, false},
-                                                        {Kind::wrong_model, 3.0, any, 0.2, false}}};
+inline constexpr std::array<Acceptance, 5> acceptances = [] {
+  constexpr double any = std::numeric_limits<double>::infinity();
+  return std::array<Acceptance, 5>{{{Kind::factor, 100.0, 6.0, any, true},
+                                    {Kind::relation, 10.0, 6.0, any, false},
+                                    {Kind::zeros, 1e4, 6.0, any, false},
+                                    {Kind::all_modes, 3.0, any, any, false},
+                                    {Kind::wrong_model, 3.0, any, 0.2, false}}};
+}();
 
 /// A possible reason of a difference: a relation of the user's values to the reference, another data set, or a wrong
 /// model.

@@ -252,7 +252,7 @@ constexpr std::array relations{
     Relation{Kind::relation, constant},    Relation{Kind::relation, missing_mode},
     Relation{Kind::zeros, zeros},          Relation{Kind::relation, single_values},
     Relation{Kind::factor, other_columns}, Relation{Kind::relation, other_data_sets, true}};
-constexpr double tried = 30.0;  // 17 factors, and about as many others
+constexpr double count_of_tried = 30.0;  // 17 factors, and about as many others
 
 }  // namespace
 
@@ -304,7 +304,7 @@ std::vector<Hypothesis> relations_of(const DeviatingQuantity& deviating) {
     if (!reads_files || !is_explained(deviating, all))
       for (Hypothesis& one : candidates_of(deviating)) {
         one.kind = kind;
-        all.push_back(judged(deviating.quantity.norm, deviating.series, std::move(one), tried));
+        all.push_back(judged(deviating.quantity.norm, deviating.series, std::move(one), count_of_tried));
       }
   return all;
 }

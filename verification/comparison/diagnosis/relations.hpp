@@ -3,6 +3,9 @@
 
 /// Mistakes that the numbers show without a model.
 
+#include <cstddef>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "comparison/diagnosis/hypothesis.hpp"
