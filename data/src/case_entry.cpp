@@ -16,6 +16,7 @@ namespace stickslip::data {
 
 Entry entry_of(const toml::node& node, std::string place) {
   Entry entry{{}, describe(node), std::move(place)};
+  if (const auto* flag = node.as_boolean()) entry.value = flag->get();
   if (const auto* integer = node.as_integer()) entry.value = integer->get();
   if (const auto* floating = node.as_floating_point()) entry.value = floating->get();
   if (const auto* text = node.as_string()) entry.value = text->get();
@@ -75,6 +76,12 @@ double number_of(std::string_view path, const Magnitudes& magnitudes, const Entr
   }
   require_magnitude(path, magnitudes, number);
   return number;
+}
+
+int flag_of(std::string_view path, const Entry& entry) {
+  const auto* flag = std::get_if<bool>(&entry.value);
+  if (flag == nullptr) throw FieldError(path, entry.description, "true or false");
+  return *flag ? 1 : 0;
 }
 
 int integer_of(std::string_view path, const Entry& entry) {

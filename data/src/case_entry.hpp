@@ -18,11 +18,10 @@ namespace stickslip::data {
 
 /// A value as it was given, and where.
 struct Entry {
-  std::variant<std::monostate, std::int64_t, double, std::string>
-      value;                // monostate: neither number nor text
-  std::string description;  // for messages
-  std::string place;        // "paper.toml:3" or "override beam.length=1.8"
-  bool is_mean{};           // of a distribution of the key, which has no other value
+  std::variant<std::monostate, bool, std::int64_t, double, std::string> value;  // monostate: none of these
+  std::string description;                                                      // for messages
+  std::string place;  // "paper.toml:3" or "override beam.length=1.8"
+  bool is_mean{};     // of a distribution of the key, which has no other value
 };
 
 using Entries = std::map<std::string, Entry>;  // by "table.key"
@@ -43,6 +42,9 @@ using Entries = std::map<std::string, Entry>;  // by "table.key"
 
 /// Throws FieldError unless it is an integer that an int holds.
 [[nodiscard]] int integer_of(std::string_view path, const Entry& entry);
+
+/// 1 for true, 0 for false. Throws FieldError for anything else.
+[[nodiscard]] int flag_of(std::string_view path, const Entry& entry);
 
 /// Throws FieldError.
 void require_magnitude(std::string_view path, const Magnitudes& magnitudes, double value);

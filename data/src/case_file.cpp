@@ -170,6 +170,7 @@ std::string alternative_to(const Key& key) {
   if (key.name() == "density" || key.name() == "youngs_modulus") return " or beam.material";
   if (key.path == "excitation.amplitude")
     return " or excitation.velocity_amplitude or excitation.acceleration_amplitude";
+  if (key.path == "beam.length") return " or the table [model] in place of [beam]";
   return "";
 }
 
@@ -189,22 +190,25 @@ class NumbersReader {
       }
     });
     misses_keys_ = misses_keys_ && !mistakes_.any();
+    is_model_ = has_table("model");
   }
 
   // The settings last, as their defaults follow from the rest.
   [[nodiscard]] Case read() {
     numbers_.numerics.duration = default_duration;
+    if (is_model_) numbers_.model = {.mass = 1.0, .stiffness = 0.0, .damping = 0.0, .normal_force = 1.0};
+    for (const auto& [path, entry] : entries_)
+      collect([&, &path = path, &entry = entry] { require_of_structure(path, entry); });
     fill(false);
     while (collect([&] {
-      (void)Beam(numbers_.beam), (void)FrictionLaw(numbers_.friction),
+      (void)structure_of(numbers_), (void)FrictionLaw(numbers_.friction),
           require_magnitude(amplitude_keys.front(), key_named(amplitude_keys.front()).magnitudes,
                             HarmonicExcitation(numbers_.excitation).amplitude());
-      (void)Damping(numbers_.damping), (void)TangentialContact(numbers_.contact),
-          (void)Wall(numbers_.wall_speed);
+      (void)Damping(numbers_.damping), (void)TangentialContact(numbers_.contact), (void)Wall(numbers_.wall);
     })) {
     }
     if (!mistakes_.any())
-      numbers_.numerics = default_numerics(Beam(numbers_.beam), HarmonicExcitation(numbers_.excitation),
+      numbers_.numerics = default_numerics(structure_of(numbers_), HarmonicExcitation(numbers_.excitation),
                                            numbers_.numerics.duration, Damping(numbers_.damping));
     fill(true);
     mistakes_.throw_if_any();
@@ -212,12 +216,26 @@ class NumbersReader {
     collect([&] { problem = case_of(file_.stem().string(), numbers_); });
     mistakes_.throw_if_any();
     for (const Key& key : case_keys())
-      if (key.table() == "numerics" && key.member.get != nullptr && !entries_.contains(std::string(key.path)))
+      if (key.table() == "numerics" && key.is_of(is_model_) && key.member.get != nullptr &&
+          !entries_.contains(std::string(key.path)))
         problem->default_numerics.emplace(key.path);
     return *problem;
   }
 
  private:
+  [[nodiscard]] bool has_table(std::string_view table) const {
+    return std::ranges::any_of(entries_, [&](const auto& entry) {
+      return key_named(entry.first).table() == table && !entry.second.is_mean;
+    });
+  }
+
+  // Throws InputError for a key of another structure.
+  void require_of_structure(const std::string& path, const Entry& entry) const {
+    if (key_named(path).is_of(is_model_)) return;
+    throw InputError(entry.place + ": " + path + " is " + entry.description + ", but must be left out " +
+                     (is_model_ ? "where the table [model] is given" : "without a table [model]"));
+  }
+
   static double allowed(const Key& key) {
     if (key.presence == Presence::optional) return key.member.get(CaseNumbers());
     return key.axis.may_be_zero ? 0.0 : 1.0;
@@ -244,14 +262,17 @@ class NumbersReader {
     const bool states_amplitude = std::ranges::any_of(
         amplitude_keys, [&](std::string_view key) { return entries_.contains(std::string(key)); });
     for (const Key& key : case_keys()) {
-      if (key.presence == Presence::shorthand || (key.table() == "numerics") != numerics) continue;
+      if (key.presence == Presence::shorthand || !key.is_of(is_model_) ||
+          (key.table() == "numerics") != numerics)
+        continue;
       const std::string path(key.path);
       const auto found = entries_.find(path);
       if (mended_.contains(path)) continue;
       if (found != entries_.end())
         collect([&] {
-          key.member.set(numbers_, key.member.is_integer ? integer_of(path, found->second)
-                                                         : number_of(path, key.magnitudes, found->second));
+          key.member.set(numbers_, key.member.is_flag      ? flag_of(path, found->second)
+                                   : key.member.is_integer ? integer_of(path, found->second)
+                                                           : number_of(path, key.magnitudes, found->second));
         });
       else if (key.presence == Presence::required || (path == amplitude_keys.front() && !states_amplitude)) {
         key.member.set(numbers_, allowed(key));
@@ -269,7 +290,7 @@ class NumbersReader {
   Mistakes& mistakes_;
   CaseNumbers numbers_;
   std::set<std::string> mended_;
-  bool misses_keys_{};
+  bool misses_keys_{}, is_model_{};
 };
 
 // What the document says, and instead of it the overrides. What is missing has the mean of its distribution, unless a
@@ -409,8 +430,10 @@ fs::path installed_folder(const char* variable, std::string_view folder, std::st
   return fs::is_directory(installed, error) ? installed : fs::path(source);
 }
 
-NumericalChoices default_numerics(const Beam& beam, const HarmonicExcitation& excitation, double duration,
-                                  const Damping& damping) {
+namespace {
+
+NumericalChoices beam_numerics(const Beam& beam, const HarmonicExcitation& excitation, double duration,
+                               const Damping& damping) {
   constexpr double pi = std::numbers::pi;
   const double bending_stiffness = beam.youngs_modulus() * beam.second_moment_of_area();
   const double mass = beam.density() * beam.area();
@@ -427,6 +450,28 @@ NumericalChoices default_numerics(const Beam& beam, const HarmonicExcitation& ex
           .velocity_threshold = 0.0,
           .modes = k,
           .duration = duration};
+}
+
+NumericalChoices model_numerics(const Model& model, const HarmonicExcitation& excitation, double duration) {
+  double highest = excitation.frequency_hz();
+  if (model.is_mass())
+    highest = std::max(highest, std::sqrt(model.properties().stiffness / model.properties().mass) /
+                                    (2.0 * std::numbers::pi));
+  const double step = 1.0 / (2000.0 * highest);
+  return {.elements = 1,
+          .time_step = rounded_down(duration > 0.0 ? std::min(duration, step) : step),
+          .spectral_radius = 0.9,
+          .velocity_threshold = 0.0,
+          .modes = 20,
+          .duration = duration};
+}
+
+}  // namespace
+
+NumericalChoices default_numerics(const Structure& structure, const HarmonicExcitation& excitation,
+                                  double duration, const Damping& damping) {
+  if (const auto* model = std::get_if<Model>(&structure)) return model_numerics(*model, excitation, duration);
+  return beam_numerics(std::get<Beam>(structure), excitation, duration, damping);
 }
 
 }  // namespace stickslip::data

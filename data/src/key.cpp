@@ -21,7 +21,8 @@ constexpr KeyMember member() {
   using Number = std::remove_cvref_t<decltype((CaseNumbers{}.*Table).*Field)>;
   return {.get = [](const CaseNumbers& of) { return static_cast<double>((of.*Table).*Field); },
           .set = [](CaseNumbers& of, double value) { (of.*Table).*Field = static_cast<Number>(value); },
-          .is_integer = std::is_integral_v<Number>};
+          .is_integer = std::is_integral_v<Number>,
+          .is_flag = std::is_same_v<Number, bool>};
 }
 
 template <auto Field>
@@ -38,8 +39,14 @@ template <auto Field>
 constexpr KeyMember contact = member<&CaseNumbers::contact, Field>();
 template <auto Field>
 constexpr KeyMember section = member<&CaseNumbers::section, Field>();
-constexpr KeyMember wall_speed{.get = [](const CaseNumbers& of) { return of.wall_speed; },
-                               .set = [](CaseNumbers& of, double value) { of.wall_speed = value; }};
+template <auto Field>
+constexpr KeyMember model = member<&CaseNumbers::model, Field>();
+template <auto Field>
+constexpr KeyMember wall = member<&CaseNumbers::wall, Field>();
+template <auto Field>
+constexpr KeyMember initial = member<&CaseNumbers::initial, Field>();
+constexpr KeyMember constant_force{.get = [](const CaseNumbers& of) { return of.constant_force; },
+                                   .set = [](CaseNumbers& of, double value) { of.constant_force = value; }};
 constexpr KeyMember none{};
 template <AmplitudeOf Kind>
 constexpr KeyMember amplitude{
@@ -88,6 +95,23 @@ constexpr std::array all{
     Key{"beam.material", none, {}, shorthand},
     Key{"beam.poissons_ratio", section<&Section::poissons_ratio>, {1e-9, 1.0, ""}, optional,
         {"poisson", "poissons_ratio", "Poisson's ratio ν", 1.0, may_be_zero}, has::beam_key},
+    Key{"model.mass", model<&ModelProperties::mass>, {1e-18, 1e18, "kg"}, required,
+        {"mass", "mass_kg", "mass m / kg"}, has::adjustable_beam},
+    Key{"model.stiffness", model<&ModelProperties::stiffness>, {1e-18, 1e24, "N/m"}, required,
+        {"spring", "stiffness_N_per_m", "spring k / (N/m)", 1.0, may_be_zero}, has::adjustable_beam},
+    Key{"model.damping", model<&ModelProperties::damping>, {1e-18, 1e24, "N s/m"}, optional,
+        {"damper", "damping_N_s_per_m", "damper c / (N s/m)", 1.0, may_be_zero}, has::damper},
+    Key{"model.normal_force", model<&ModelProperties::normal_force>, {1e-18, 1e18, "N"}, required,
+        {"normal-force", "normal_force_N", "normal force N / N"}, has::limit},
+    Key{"model.mass_matrix", none, {}, shorthand},
+    Key{"model.stiffness_matrix", none, {}, shorthand},
+    Key{"model.damping_matrix", none, {}, shorthand},
+    Key{"model.dofs", none, {}, shorthand},
+    Key{"model.base", none, {}, shorthand},
+    Key{"model.fixed", none, {}, shorthand},
+    Key{"model.contact", none, {}, shorthand},
+    Key{"model.load", none, {}, shorthand},
+    Key{"model.units", none, {}, shorthand},
     Key{"friction.static_coefficient", friction<&FrictionCoefficients::static_coefficient>, {1e-9, 1e6, ""},
         required, {"friction", "static_coefficient", "static friction coefficient μ_s"}, has::limit},
     Key{"friction.kinetic_coefficient", friction<&FrictionCoefficients::kinetic_coefficient>, {1e-9, 1e6, ""},
@@ -105,6 +129,9 @@ constexpr std::array all{
     Key{"excitation.acceleration_amplitude", amplitude<AmplitudeOf::acceleration>, {1e-18, 1e18, "m/s^2"},
         alternative, {"acceleration", "acceleration_amplitude_m_per_s2", "acceleration amplitude of the base / g",
         1.0 / 9.80665, may_be_zero}, has::factor},
+    Key{"excitation.force", amplitude<AmplitudeOf::force>, {1e-18, 1e18, "N"}, alternative,
+        {"shaker", "force_amplitude_N", "force amplitude F_0 / N", 1.0, may_be_zero}, has::factor},
+    Key{"excitation.constant_force", constant_force, {1e-18, 1e18, "N"}, optional, {}, has::force},
     Key{"excitation.duration", numerics<&NumericalChoices::duration>, {1e-15, 1e15, "s"}, optional, {}, has::force},
     Key{"numerics.elements", numerics<&NumericalChoices::elements>, {}, optional, {}, has::force},
     Key{"numerics.time_step", numerics<&NumericalChoices::time_step>, {1e-15, 1e9, "s"}, optional},
@@ -120,11 +147,15 @@ constexpr std::array all{
     Key{"damping.mass_proportional", damping<&DampingProperties::mass_proportional>, {1e-18, 1e9, "1/s"}, optional,
         {"mass-damping", "mass_proportional_per_s", "mass-proportional damping δ / (1/s)", 1.0, may_be_zero},
         has::damper},
+    Key{"damping.ratios", none, {}, shorthand},
     Key{"contact.tangential_stiffness", contact<&ContactProperties::tangential_stiffness>, {1e-18, 1e24, "N/m"},
         optional, {}, has::force},
     Key{"contact.regularisation_velocity", contact<&ContactProperties::regularisation_velocity>,
         {1e-18, 1e9, "m/s"}, optional, {}, has::force},
-    Key{"wall.speed", wall_speed, {1e-15, 1e9, "m/s"}, optional, {}, has::force},
+    Key{"wall.speed", wall<&WallProperties::speed>, {1e-15, 1e9, "m/s"}, optional, {}, has::force},
+    Key{"wall.with_base", wall<&WallProperties::with_base>, {}, optional, {}, has::force},
+    Key{"initial.position", initial<&InitialState::position>, {1e-18, 1e6, "m"}, optional, {}, has::force},
+    Key{"initial.velocity", initial<&InitialState::velocity>, {1e-18, 1e9, "m/s"}, optional, {}, has::force},
     Key{"section.shape", none, {}, shorthand},
     Key{"section.width", section<&Section::width>, {1e-9, 1e6, "m"}, optional,
         {"width", "width_m", "width of the section / mm", 1e3}, has::adjustable_shape},
@@ -140,19 +171,25 @@ constexpr std::array all{
 }  // namespace key_table
 
 CaseNumbers numbers_in(const Case& problem) {
-  return {.beam = problem.beam().properties(),
+  const auto* beam = std::get_if<Beam>(&problem.structure);
+  const Model* model = problem.model();
+  return {.beam = beam != nullptr ? beam->properties() : BeamProperties(),
+          .model = model != nullptr ? model->properties() : ModelProperties(),
+          .matrices = model != nullptr && !model->is_mass() ? model->shared_matrices() : nullptr,
           .friction = problem.contact.friction.coefficients(),
           .excitation = problem.excitation().motion(),
           .numerics = problem.numerics.choices(),
           .damping = problem.damping.properties(),
           .contact = problem.contact.compliance.properties(),
           .section = problem.section,
-          .wall_speed = problem.contact.wall.speed()};
+          .wall = problem.contact.wall.properties(),
+          .initial = problem.initial,
+          .constant_force = problem.constant_force};
 }
 
 // Whether a case has the number: not every section has every side.
 bool has(const CaseNumbers& numbers, const Key& key) {
-  return key.member.get != nullptr && !std::isnan(key.member.get(numbers));
+  return key.member.get != nullptr && key.is_of(numbers.has_model()) && !std::isnan(key.member.get(numbers));
 }
 
 // k A/(1 + nu) of the section, to which k G A is proportional with G = E/(2 (1 + nu)).
@@ -166,11 +203,12 @@ double shear_area(const Section& section) {
 
 bool state_the_same(std::string_view path, std::string_view other) {
   constexpr std::array<std::string_view, 2> durations{"excitation.duration", "numerics.duration"},
-      shears{"beam.shear_stiffness", "beam.poissons_ratio"};
+      shears{"beam.shear_stiffness", "beam.poissons_ratio"}, ratios{"damping.ratio", "damping.ratios"};
   const auto are_both_in = [&](std::span<const std::string_view> keys) {
     return std::ranges::find(keys, path) != keys.end() && std::ranges::find(keys, other) != keys.end();
   };
-  return path == other || are_both_in(amplitude_keys) || are_both_in(durations) || are_both_in(shears);
+  return path == other || are_both_in(amplitude_keys) || are_both_in(durations) || are_both_in(shears) ||
+         are_both_in(ratios);
 }
 
 const Key& key_stated(std::string_view path, std::string_view text) {
@@ -184,6 +222,16 @@ const Key& stated_amplitude(const HarmonicExcitation& excitation) {
   return key_named(amplitude_keys.at(static_cast<std::size_t>(excitation.motion().amplitude_of)));
 }
 
+bool Key::is_of(bool model) const {
+  constexpr std::array<std::string_view, 2> model_tables{"model", "initial"}, beam_tables{"beam", "section"},
+      model_keys{"excitation.force", "excitation.constant_force"};
+  if (std::ranges::find(model_tables, table()) != model_tables.end() ||
+      std::ranges::find(model_keys, path) != model_keys.end())
+    return model;
+  return !model ||
+         (std::ranges::find(beam_tables, table()) == beam_tables.end() && path != "numerics.elements");
+}
+
 std::span<const Key> case_keys() { return key_table::all; }
 
 const Key& key_named(std::string_view path) {
@@ -192,16 +240,25 @@ const Key& key_named(std::string_view path) {
   return *found;
 }
 
+Structure structure_of(const CaseNumbers& numbers) {
+  if (!numbers.has_model()) return Beam(numbers.beam);
+  if (numbers.matrices == nullptr) return Model(numbers.model);
+  return Model(numbers.model.normal_force, numbers.matrices);
+}
+
 Case case_of(const std::string& name, const CaseNumbers& numbers) {
   return {.name = printable(name, 255),  // that of a file, which may hold anything
-          .structure = Beam(numbers.beam),
+          .structure = structure_of(numbers),
           .motion = HarmonicExcitation(numbers.excitation),
           .contact = {.friction = FrictionLaw(numbers.friction),
                       .compliance = TangentialContact(numbers.contact),
-                      .wall = Wall(numbers.wall_speed)},
+                      .wall = Wall(numbers.wall)},
           .numerics = NumericalSettings(numbers.numerics),
           .damping = Damping(numbers.damping),
-          .section = numbers.section};
+          .section = numbers.section,
+          .default_numerics = {},
+          .constant_force = numbers.constant_force,
+          .initial = numbers.initial};
 }
 
 std::map<std::string, double> numbers_of(const Case& problem) {
@@ -230,6 +287,14 @@ double value_of(const Case& problem, std::string_view path) {
 
 namespace {
 
+// A kinetic coefficient that is not stated is at most the static one.
+CaseNumbers with_coefficients(CaseNumbers numbers, bool states_kinetic) {
+  FrictionCoefficients& friction = numbers.friction;
+  if (!states_kinetic)
+    friction.kinetic_coefficient = std::min(friction.kinetic_coefficient, friction.static_coefficient);
+  return numbers;
+}
+
 CaseNumbers numbers_with(const Case& problem,
                          const std::vector<std::pair<std::string_view, double>>& values) {
   const auto has_value = [&](std::string_view path) {
@@ -240,8 +305,14 @@ CaseNumbers numbers_with(const Case& problem,
   for (const auto& [path, value] : values) {
     const Key& key = key_named(path);
     const bool may_come = key.name() == "poissons_ratio" && before.section.is_given();
+    if (!key.is_of(before.has_model()))
+      throw FieldError(
+          path, value,
+          std::string("left out: the case has ") + (before.has_model() ? "a [model]" : "a [beam]"));
     if (!has(before, key) && !may_come)
-      throw FieldError(path, value, "left out: the case has no [section] with it");
+      throw FieldError(path, value,
+                       before.has_model() ? "left out: the case is not one mass"
+                                          : "left out: the case has no [section] with it");
     key.member.set(after, value);
   }
   after.section.require_valid();
@@ -250,6 +321,7 @@ CaseNumbers numbers_with(const Case& problem,
     if (!has_value("beam.second_moment_of_area"))
       after.beam.second_moment_of_area = after.section.second_moment_of_area();
   }
+  if (before.has_model()) return with_coefficients(after, has_value("friction.kinetic_coefficient"));
   if (has_value("beam.shear_stiffness"))
     after.section.poissons_ratio = Section{}.poissons_ratio;
   else if (has_value("beam.poissons_ratio"))
@@ -258,10 +330,7 @@ CaseNumbers numbers_with(const Case& problem,
     after.beam.shear_stiffness *= after.beam.youngs_modulus / before.beam.youngs_modulus *
                                   (shear_area(after.section) / shear_area(before.section));
   if (has_value("beam.area") || has_value("beam.second_moment_of_area")) after.section = {};
-  if (!has_value("friction.kinetic_coefficient"))
-    after.friction.kinetic_coefficient =
-        std::min(after.friction.kinetic_coefficient, after.friction.static_coefficient);
-  return after;
+  return with_coefficients(after, has_value("friction.kinetic_coefficient"));
 }
 
 Case remade(const Case& problem, const CaseNumbers& numbers) {
@@ -279,7 +348,7 @@ Case with_values(const Case& problem, const std::vector<std::pair<std::string_vi
 Case restated(const Case& problem, const std::vector<std::pair<std::string_view, double>>& values) {
   CaseNumbers numbers = numbers_with(problem, values);
   CaseNumbers defaults;
-  defaults.numerics = default_numerics(Beam(numbers.beam), HarmonicExcitation(numbers.excitation),
+  defaults.numerics = default_numerics(structure_of(numbers), HarmonicExcitation(numbers.excitation),
                                        numbers.numerics.duration, Damping(numbers.damping));
   for (const std::string& path : problem.default_numerics) {
     const KeyMember& member = key_named(path).member;

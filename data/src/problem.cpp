@@ -5,6 +5,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 namespace stickslip::data {
@@ -55,6 +56,40 @@ Beam::Beam(const BeamProperties& properties) : properties_(properties) {
     throw FieldError("beam.axial_direction", axial_direction(),
                      "a number from 0 (follows the tip) to 1 (keeps its direction)");
   require_not_negative("beam.shear_stiffness", shear_stiffness(), " (N; 0: rigid in shear)");
+}
+
+Model::Model(const ModelProperties& mass) : properties_(mass) {
+  require_positive("model.mass", mass.mass, " (kg)");
+  require_not_negative("model.stiffness", mass.stiffness, " (N/m)");
+  require_not_negative("model.damping", mass.damping, " (N s/m)");
+  require_positive("model.normal_force", mass.normal_force, " (N)");
+  const auto link = [](double value) {  // between the rows of base and mass
+    return std::vector<MatrixEntry>{{0, 0, value}, {0, 1, -value}, {1, 0, -value}, {1, 1, value}};
+  };
+  matrices_ = std::make_shared<const StructureMatrices>(StructureMatrices{.rows = 2,
+                                                                          .mass = {{1, 1, mass.mass}},
+                                                                          .stiffness = link(mass.stiffness),
+                                                                          .damping = link(mass.damping),
+                                                                          .base = {0},
+                                                                          .fixed = {},
+                                                                          .contact = {{1}},
+                                                                          .load = {},
+                                                                          .files = {}});
+}
+
+Model::Model(double normal_force, std::shared_ptr<const StructureMatrices> matrices)
+    : properties_{.normal_force = normal_force}, matrices_(std::move(matrices)) {
+  require_positive("model.normal_force", normal_force, " (N)");
+}
+
+bool Model::is_mass() const noexcept { return !std::isnan(properties_.mass); }
+
+bool Model::operator==(const Model& other) const noexcept {
+  if (normal_force() != other.normal_force()) return false;
+  if (is_mass() != other.is_mass()) return false;
+  if (!is_mass()) return matrices_ == other.matrices_;
+  return properties_.mass == other.properties_.mass && properties_.stiffness == other.properties_.stiffness &&
+         properties_.damping == other.properties_.damping;
 }
 
 bool Section::is_given() const noexcept { return !std::isnan(width) || !std::isnan(diameter); }
@@ -150,10 +185,10 @@ void require_usable(const FrictionLaw& friction, const TangentialContact& contac
 
 HarmonicExcitation::HarmonicExcitation(const HarmonicMotion& motion)
     : motion_(motion),
-      unit_amplitude_(1.0 / std::pow(2.0 * std::numbers::pi * motion.frequency_hz,
-                                     static_cast<double>(motion.amplitude_of))) {
+      unit_amplitude_(
+          1.0 / std::pow(2.0 * std::numbers::pi * motion.frequency_hz, derivatives(motion.amplitude_of))) {
   require_positive("excitation.frequency_hz", frequency_hz(), " (Hz)");
-  constexpr std::array units{" (m)", " (m/s)", " (m/s^2)"};
+  constexpr std::array units{" (m)", " (m/s)", " (m/s^2)", " (N)"};
   const auto kind = static_cast<std::size_t>(motion.amplitude_of);
   require_not_negative(amplitude_keys.at(kind), motion.amplitude, units.at(kind));
 }
@@ -161,7 +196,7 @@ HarmonicExcitation::HarmonicExcitation(const HarmonicMotion& motion)
 HarmonicMotion HarmonicExcitation::stated_as(AmplitudeOf kind) const {
   if (kind == motion_.amplitude_of) return motion_;
   const double omega = 2.0 * std::numbers::pi * frequency_hz();
-  return {frequency_hz(), amplitude() * std::pow(omega, static_cast<double>(kind)), kind};
+  return {frequency_hz(), amplitude() * std::pow(omega, derivatives(kind)), kind};
 }
 
 Damping::Damping(const DampingProperties& properties) : properties_(properties) {
@@ -169,6 +204,16 @@ Damping::Damping(const DampingProperties& properties) : properties_(properties) 
   if (!(ratio() >= 0.0 && ratio() < 1.0))
     throw FieldError("damping.ratio", ratio(), "a number from 0 to below 1");
   require_not_negative("damping.mass_proportional", mass_proportional(), " (1/s)");
+  for (const double ratio_of_mode : properties.ratios)
+    if (!(ratio_of_mode >= 0.0 && ratio_of_mode < 1.0))
+      throw FieldError("damping.ratios", ratio_of_mode, "a list of numbers from 0 to below 1");
+  if (!properties.ratios.empty() && ratio() != 0.0)
+    throw FieldError("damping.ratio", ratio(), "0 where damping.ratios is given");
+}
+
+bool Damping::has_ratio() const noexcept {
+  return ratio() > 0.0 ||
+         std::ranges::any_of(properties_.ratios, [](double of_mode) { return of_mode > 0.0; });
 }
 
 void require_undamped(const Damping& damping, std::string_view allowed) {
@@ -177,6 +222,8 @@ void require_undamped(const Damping& damping, std::string_view allowed) {
                                    {"damping.mass_proportional", &DampingProperties::mass_proportional}})
     if (const double value = damping.properties().*kind; value != 0.0)
       throw FieldError(path, value, std::string(allowed));
+  if (!damping.properties().ratios.empty())
+    throw FieldError("damping.ratios", damping.properties().ratios.front(), allowed);
 }
 
 void require_kelvin_voigt(const Damping& damping, std::string_view allowed) {
@@ -185,7 +232,9 @@ void require_kelvin_voigt(const Damping& damping, std::string_view allowed) {
   require_undamped(Damping(others), allowed);
 }
 
-Wall::Wall(double speed) : speed_(speed) { require_finite("wall.speed", speed, " (m/s)"); }
+Wall::Wall(const WallProperties& properties) : properties_(properties) {
+  require_finite("wall.speed", speed(), " (m/s)");
+}
 
 NumericalSettings::NumericalSettings(const NumericalChoices& choices) : choices_(choices) {
   require_between("numerics.elements", elements(), 1, 100000);
@@ -205,12 +254,23 @@ NumericalSettings::NumericalSettings(const NumericalChoices& choices) : choices_
 }
 
 std::span<const FeatureKey> feature_keys() {
+  static constexpr auto of_beam = [](const Case& of, auto number) {
+    const auto* beam = std::get_if<Beam>(&of.structure);
+    return beam == nullptr ? 0.0 : std::invoke(number, *beam);
+  };
   static constexpr std::array keys{
+      FeatureKey{"model.normal_force", Feature::own_structure,
+                 [](const Case& of) { return of.model() == nullptr ? 0.0 : of.normal_force(); }},
       FeatureKey{"damping.kelvin_voigt", Feature::kelvin_voigt,
                  [](const Case& of) { return of.damping.kelvin_voigt(); }},
       FeatureKey{"damping.ratio", Feature::other_damping, [](const Case& of) { return of.damping.ratio(); }},
       FeatureKey{"damping.mass_proportional", Feature::other_damping,
                  [](const Case& of) { return of.damping.mass_proportional(); }},
+      FeatureKey{"damping.ratios", Feature::other_damping,
+                 [](const Case& of) {
+                   const std::vector<double>& ratios = of.damping.properties().ratios;
+                   return ratios.empty() ? 0.0 : *std::ranges::max_element(ratios);
+                 }},
       FeatureKey{"contact.tangential_stiffness", Feature::yielding_contact,
                  [](const Case& of) { return of.contact.compliance.tangential_stiffness(); },
                  std::numeric_limits<double>::infinity()},
@@ -218,10 +278,33 @@ std::span<const FeatureKey> feature_keys() {
                  [](const Case& of) { return of.contact.compliance.regularisation_velocity(); }},
       FeatureKey{"wall.speed", Feature::moving_wall, [](const Case& of) { return of.contact.wall.speed(); }},
       FeatureKey{"beam.shear_stiffness", Feature::shear,
-                 [](const Case& of) { return of.beam().shear_stiffness(); }},
+                 [](const Case& of) { return of_beam(of, &Beam::shear_stiffness); }},
       FeatureKey{"beam.axial_direction", Feature::fixed_axial_force,
-                 [](const Case& of) { return of.beam().axial_direction(); }}};
+                 [](const Case& of) { return of_beam(of, &Beam::axial_direction); }},
+      FeatureKey{"wall.with_base", Feature::wall_with_base,
+                 [](const Case& of) { return of.contact.wall.moves_with_base() ? 1.0 : 0.0; }},
+      FeatureKey{"excitation.force", Feature::force,
+                 [](const Case& of) {
+                   return of.excitation().is_force() ? of.excitation().motion().amplitude : 0.0;
+                 }},
+      FeatureKey{"excitation.constant_force", Feature::constant_force,
+                 [](const Case& of) { return of.constant_force; }},
+      FeatureKey{"initial.position", Feature::initial_state,
+                 [](const Case& of) { return of.initial.position; }},
+      FeatureKey{"initial.velocity", Feature::initial_state,
+                 [](const Case& of) { return of.initial.velocity; }}};
   return keys;
+}
+
+const Beam& Case::beam() const {
+  if (const auto* beam = std::get_if<Beam>(&structure)) return *beam;
+  throw FieldError("model.normal_force", normal_force(),
+                   "left out: this is for a [beam] alone, not for a [model]");
+}
+
+double Case::normal_force() const noexcept {
+  const auto* beam = std::get_if<Beam>(&structure);
+  return beam != nullptr ? beam->axial_force() : std::get<Model>(structure).normal_force();
 }
 
 bool Case::has(Feature feature) const noexcept {

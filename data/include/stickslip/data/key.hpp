@@ -4,8 +4,10 @@
 /// The one list of the parameters of a case: each key of a case file with all that readers, commands, maps and figures
 /// need to know of it. A parameter is named by its path, "beam.length".
 
+#include <cmath>
 #include <limits>
 #include <map>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -18,14 +20,21 @@ namespace stickslip::data {
 
 /// Every number of a case, before the problem types check it.
 struct CaseNumbers {
-  BeamProperties beam;
+  BeamProperties beam;  ///< unless there is a `model`
+  ModelProperties model;
+  std::shared_ptr<const StructureMatrices> matrices;  ///< of a model that is not one mass
   FrictionCoefficients friction;
   HarmonicMotion excitation;
   NumericalChoices numerics;
   DampingProperties damping;
   ContactProperties contact;
   Section section;
-  double wall_speed{};
+  WallProperties wall;
+  InitialState initial;
+  double constant_force{};
+
+  /// Whether the structure is a Model: it then has a normal force.
+  [[nodiscard]] bool has_model() const noexcept { return !std::isnan(model.normal_force); }
 };
 
 /// Magnitudes that a quantity may have unless it is 0: far wider than any beam, and so narrow that no product
@@ -47,6 +56,7 @@ struct KeyMember {
   double (*get)(const CaseNumbers&){};
   void (*set)(CaseNumbers&, double){};
   bool is_integer{};
+  bool is_flag{};  ///< true or false, as 1 or 0
 };
 
 /// A key as the axis of a map, a sweep or a figure; empty if it cannot be one.
@@ -84,6 +94,8 @@ struct Key {
   [[nodiscard]] std::string_view name() const { return path.substr(path.find('.') + 1); }
   /// A number of the case that is no integer: it may be uncertain.
   [[nodiscard]] bool is_real() const { return member.get != nullptr && !member.is_integer; }
+  /// Whether a case with such a structure can have it.
+  [[nodiscard]] bool is_of(bool model) const;
 };
 
 /// Every key of a case file, in the order of the manual.
@@ -93,7 +105,7 @@ struct Key {
 [[nodiscard]] const Key& key_named(std::string_view path);
 
 /// Whether two keys state one quantity, so that a case has one of them: the amplitude of displacement, velocity or acceleration, the
-/// duration in either table, the shear stiffness or Poisson's ratio. A key states the same as itself.
+/// duration in either table, the shear stiffness or Poisson's ratio, one damping ratio or several. A key states the same as itself.
 [[nodiscard]] bool state_the_same(std::string_view path, std::string_view other);
 
 /// The key that a number with a unit is one of where it stands at `path`: of "2 g" at excitation.amplitude that of the
@@ -102,6 +114,9 @@ struct Key {
 
 /// The key by which the case states the amplitude of its base.
 [[nodiscard]] const Key& stated_amplitude(const HarmonicExcitation& excitation);
+
+/// The structure with these numbers. Throws FieldError.
+[[nodiscard]] Structure structure_of(const CaseNumbers& numbers);
 
 /// The case with these numbers. Throws FieldError for a number that the problem types do not allow.
 [[nodiscard]] Case case_of(const std::string& name, const CaseNumbers& numbers);
@@ -113,7 +128,8 @@ struct Key {
 /// The case with these numbers_of(). Throws std::out_of_range for one that is missing, and FieldError.
 [[nodiscard]] Case case_with(const std::string& name, const std::map<std::string, double>& numbers);
 
-/// The value of a key in SI units; NaN for a key of a section that the case was not given by.
+/// The value of a key in SI units; NaN for a key that the case does not have, as of a section that it was not
+/// given by, or of another structure.
 [[nodiscard]] double value_of(const Case& problem, std::string_view path);
 
 /// The case with other values of some keys, SI units. What follows from them follows, unless it is among them: area and

@@ -29,6 +29,7 @@
 /// Every quantity is in SI units. Derived quantities (E I, ρ A, Ω, μ(v), h(t)) are left to each of the
 /// two implementations on purpose, so that a slip in one of them shows when they are compared.
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <set>
@@ -38,8 +39,10 @@
 #include <tuple>
 #include <type_traits>
 #include <variant>
+#include <vector>
 
 #include "stickslip/data/input_error.hpp"
+#include "stickslip/data/model.hpp"
 
 namespace stickslip::data {
 
@@ -176,22 +179,30 @@ void require_rigid(const TangentialContact& contact, std::string_view what);
 /// never is quite at rest, the static coefficient would not act.
 void require_usable(const FrictionLaw& friction, const TangentialContact& contact);
 
-/// What an amplitude is one of. Its value k is the number of derivatives in time.
-enum class AmplitudeOf { displacement, velocity, acceleration };
+/// What an amplitude is one of: of the motion of the base, or of the force on the load of a Model.
+enum class AmplitudeOf { displacement, velocity, acceleration, force };
+
+/// The number of derivatives in time of the base motion that are proportional to it.
+[[nodiscard]] constexpr int derivatives(AmplitudeOf kind) noexcept {
+  return kind == AmplitudeOf::force ? 2 : static_cast<int>(kind);
+}
 
 /// The keys that state an amplitude, by AmplitudeOf.
-inline constexpr std::array<std::string_view, 3> amplitude_keys{
-    "excitation.amplitude", "excitation.velocity_amplitude", "excitation.acceleration_amplitude"};
+inline constexpr std::array<std::string_view, 4> amplitude_keys{
+    "excitation.amplitude", "excitation.velocity_amplitude", "excitation.acceleration_amplitude",
+    "excitation.force"};
 
 /// What a HarmonicExcitation is built from; field names are the keys of the table [excitation].
 struct HarmonicMotion {
   double frequency_hz{};       ///< Hz, > 0
-  double amplitude{};          ///< as it is stated, m, m/s or m/s², ≥ 0
+  double amplitude{};          ///< as it is stated, m, m/s, m/s² or N, ≥ 0
   AmplitudeOf amplitude_of{};  ///< what it is the amplitude of
 };
 
 /// Harmonic base displacement h(t) = A0 sin(Ω t), Ω = 2 π frequency_hz. The k-th derivative of h has the amplitude A0 Ω^k. One
-/// of these amplitudes is stated, and stays where the frequency changes. Cannot be built invalid.
+/// of these amplitudes is stated, and stays where the frequency changes. A force F0 sin(Ω t) on the load of a Model is
+/// -h_tt times 1 kg: it has A0 = F0 Ω^-2, and everything per unit of A0 holds for it as for an acceleration. Cannot be built
+/// invalid.
 class HarmonicExcitation {
  public:
   /// Throws FieldError.
@@ -203,6 +214,8 @@ class HarmonicExcitation {
   /// A0 where what is stated is 1: Ω^-k, m.
   [[nodiscard]] double unit_amplitude() const noexcept { return unit_amplitude_; }
   [[nodiscard]] const HarmonicMotion& motion() const noexcept { return motion_; }
+  /// Whether it is a force on the load of a Model, in place of a motion of the base.
+  [[nodiscard]] bool is_force() const noexcept { return motion_.amplitude_of == AmplitudeOf::force; }
   /// The same motion by another statement.
   [[nodiscard]] HarmonicMotion stated_as(AmplitudeOf kind) const;
 
@@ -217,6 +230,8 @@ struct DampingProperties {
   /// ζ, 0 ≤ ζ < 1: fraction of critical damping of every mode of the beam with its tip free and P = 0
   double ratio{};
   double mass_proportional{};  ///< δ, 1/s, ≥ 0: a force -δ ρA u_t per length, u_t relative to the base
+  /// ζ_n of mode n in place of one ζ for all; the last one is that of all further modes
+  std::vector<double> ratios{};
 
   bool operator==(const DampingProperties&) const = default;
 };
@@ -231,16 +246,24 @@ class Damping {
 
   [[nodiscard]] double kelvin_voigt() const noexcept { return properties_.kelvin_voigt; }
   [[nodiscard]] double ratio() const noexcept { return properties_.ratio; }
+  /// ζ of a mode from 1 on, without the other kinds.
+  [[nodiscard]] double ratio_of(std::size_t mode) const noexcept {
+    const auto& ratios = properties_.ratios;
+    return ratios.empty() ? ratio() : ratios[std::min(mode, ratios.size()) - 1];
+  }
+  /// Whether any mode has ζ > 0.
+  [[nodiscard]] bool has_ratio() const noexcept;
   [[nodiscard]] double mass_proportional() const noexcept { return properties_.mass_proportional; }
   [[nodiscard]] const DampingProperties& properties() const noexcept { return properties_; }
-  [[nodiscard]] bool is_none() const noexcept { return properties_ == DampingProperties(); }
-  /// Kelvin-Voigt damping or none: what a beam has in closed form.
-  [[nodiscard]] bool is_kelvin_voigt() const noexcept {
-    return properties_ == DampingProperties{.kelvin_voigt = kelvin_voigt()};
+  [[nodiscard]] bool is_none() const noexcept {
+    return !has_ratio() && kelvin_voigt() == 0.0 && mass_proportional() == 0.0;
   }
-  /// Of a mode, a fraction of critical: ζ + (η ω + δ/ω)/2, ω in rad/s.
-  [[nodiscard]] double ratio_at(double angular_frequency) const noexcept {
-    return ratio() + 0.5 * (kelvin_voigt() * angular_frequency + mass_proportional() / angular_frequency);
+  /// Kelvin-Voigt damping or none: what a beam has in closed form.
+  [[nodiscard]] bool is_kelvin_voigt() const noexcept { return !has_ratio() && mass_proportional() == 0.0; }
+  /// Of a mode, a fraction of critical: ζ + (η ω + δ/ω)/2, ω in rad/s; ζ of the first mode unless it is told.
+  [[nodiscard]] double ratio_at(double angular_frequency, std::size_t mode = 1) const noexcept {
+    return ratio_of(mode) +
+           0.5 * (kelvin_voigt() * angular_frequency + mass_proportional() / angular_frequency);
   }
   bool operator==(const Damping&) const = default;
 
@@ -253,20 +276,37 @@ void require_undamped(const Damping& damping, std::string_view allowed);
 /// The same, but there may be Kelvin-Voigt damping.
 void require_kelvin_voigt(const Damping& damping, std::string_view allowed);
 
+/// What a Wall is built from; field names are the keys of the table [wall].
+struct WallProperties {
+  double speed{};    ///< V, m/s, any finite value; 0 in the paper
+  bool with_base{};  ///< the wall moves by h(t) besides
+};
+
 /// The wall that the tip is pressed against. It does not move with the base: the paper's tip sticks while y(L) = h + u(L)
 /// is constant. A wall that moves by V t along the direction of y makes the sliding velocity v_s = y_t(L) - V, and a tip
-/// that sticks moves with V. Steady sliding on it has v_s = -V and the friction force f_d = sgn(V) μ(|V|) P. Cannot be
-/// built invalid.
+/// that sticks moves with V. Steady sliding on it has v_s = -V and the friction force f_d = sgn(V) μ(|V|) P. A wall that
+/// belongs to the base moves by h + V t: then v_s = u_t(L) - V. Cannot be built invalid.
 class Wall {
  public:
   Wall() = default;
   /// Throws FieldError.
-  explicit Wall(double speed);
+  explicit Wall(const WallProperties& properties);
+  explicit Wall(double speed) : Wall(WallProperties{.speed = speed}) {}
 
-  [[nodiscard]] double speed() const noexcept { return speed_; }
+  [[nodiscard]] double speed() const noexcept { return properties_.speed; }
+  [[nodiscard]] bool moves_with_base() const noexcept { return properties_.with_base; }
+  [[nodiscard]] const WallProperties& properties() const noexcept { return properties_; }
 
  private:
-  double speed_{};  // V, m/s, any finite value; 0 in the paper
+  WallProperties properties_;
+};
+
+/// How the contact of one mass starts; field names are the keys of the table [initial]. At rest on the wall by default.
+struct InitialState {
+  double position{};  ///< of the mass, m, in the frame at rest; the wall's contact then has the position 0
+  double velocity{};  ///< of the mass, m/s, in the frame at rest
+
+  bool operator==(const InitialState&) const = default;
 };
 
 /// What NumericalSettings are built from; field names are the keys of the table [numerics].
@@ -298,7 +338,7 @@ class NumericalSettings {
 };
 
 /// What vibrates: one of these. They state no derived quantity.
-using Structure = std::variant<Beam>;
+using Structure = std::variant<Beam, Model>;
 
 /// The motion of the base: one of these.
 using Motion = std::variant<HarmonicExcitation>;
@@ -319,6 +359,11 @@ enum class Feature {
   moving_wall,        ///< wall.speed
   shear,              ///< beam.shear_stiffness
   fixed_axial_force,  ///< beam.axial_direction
+  own_structure,      ///< a Model in place of a beam
+  wall_with_base,     ///< wall.with_base
+  force,              ///< excitation.force
+  constant_force,     ///< excitation.constant_force
+  initial_state,      ///< [initial]
   start_at_rest,      ///< u_t(x,0) = 0, of a run
   contact_scheme      ///< a choice of it, of a run
 };
@@ -335,10 +380,16 @@ struct Case {
   std::set<std::string>
       default_numerics{};  ///< the keys of [numerics] that its file leaves to data::default_numerics()
 
-  [[nodiscard]] const Beam& beam() const { return std::get<Beam>(structure); }
+  double constant_force{};  ///< N, on the contact, in the direction of y
+  InitialState initial{};
+
+  /// Throws FieldError, naming model.normal_force, for a Model: what calls this needs a beam.
+  [[nodiscard]] const Beam& beam() const;
+  /// nullptr for a beam.
+  [[nodiscard]] const Model* model() const noexcept { return std::get_if<Model>(&structure); }
   [[nodiscard]] const HarmonicExcitation& excitation() const { return std::get<HarmonicExcitation>(motion); }
-  /// N, the axial force of a beam.
-  [[nodiscard]] double normal_force() const { return beam().axial_force(); }
+  /// N, newton: the axial force of a beam, or that of a Model.
+  [[nodiscard]] double normal_force() const noexcept;
   /// Whether one of feature_keys() asks for it; a feature of a run is none of a case.
   [[nodiscard]] bool has(Feature feature) const noexcept;
 };
@@ -347,7 +398,7 @@ struct Case {
 struct FeatureKey {
   std::string_view path;  ///< "wall.speed"
   Feature feature{};
-  double (*value)(const Case&){};  ///< SI units
+  double (*value)(const Case&){};  ///< SI units; `plain` where the case has no such key
   double plain{};
 };
 
