@@ -302,6 +302,12 @@ const Beam& Case::beam() const {
                    "left out: this is for a [beam] alone, not for a [model]");
 }
 
+bool Case::is_damped() const noexcept {
+  const auto loses = [](const MatrixEntry& entry) { return entry.value != 0.0; };
+  return !damping.is_none() ||
+         (model() != nullptr && std::ranges::any_of(model()->matrices().damping, loses));
+}
+
 double Case::normal_force() const noexcept {
   const auto* beam = std::get_if<Beam>(&structure);
   return beam != nullptr ? beam->axial_force() : std::get<Model>(structure).normal_force();

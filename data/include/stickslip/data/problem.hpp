@@ -388,6 +388,8 @@ struct Case {
   /// nullptr for a beam.
   [[nodiscard]] const Model* model() const noexcept { return std::get_if<Model>(&structure); }
   [[nodiscard]] const HarmonicExcitation& excitation() const { return std::get<HarmonicExcitation>(motion); }
+  /// Whether the structure loses energy without friction: by [damping], or by what a Model has of its own.
+  [[nodiscard]] bool is_damped() const noexcept;
   /// N, newton: the axial force of a beam, or that of a Model.
   [[nodiscard]] double normal_force() const noexcept;
   /// Whether one of feature_keys() asks for it; a feature of a run is none of a case.
