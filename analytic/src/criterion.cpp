@@ -45,13 +45,17 @@ void require_contact(const data::Beam& beam) {
                              data::shortest_text(stick_buckling_load(beam)) + " N");
 }
 
+void require_contact(const data::Case& problem) {
+  if (problem.model() == nullptr) require_contact(problem.beam());
+}
+
 Criterion evaluate_criterion(const data::Case& problem, double relative_width) {
-  require_contact(problem.beam());
+  require_contact(problem);
   return criterion_of(problem, StickReaction(problem).largest(relative_width));
 }
 
 Criterion criterion_with_all_modes(const data::Case& problem, double relative_width, bool verdict_alone) {
-  require_contact(problem.beam());
+  require_contact(problem);
   const auto [first, most] = modes_of_all(problem, verdict_alone);
   for (int modes = first;; modes = std::min(2 * modes, most)) {
     const Bounds per_unit = StickReaction(problem, modes).largest(relative_width);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -102,6 +103,13 @@ double StickReaction::least_damping_ratio() const {
   for (const ModalShare& share : kept_->damped->shares)
     least = std::min(least, -share.eigenvalue.real() / std::abs(share.eigenvalue));
   return least;
+}
+
+double StickReaction::slowest_decay() const {
+  if (!kept_->damped) return 0.0;
+  double slowest = std::numeric_limits<double>::infinity();
+  for (const ModalShare& share : kept_->damped->shares) slowest = std::min(slowest, -share.eigenvalue.real());
+  return slowest;
 }
 
 void StickReactions::tabulate(double lowest_load_factor, double highest_load_factor) {

@@ -282,7 +282,7 @@ std::span<const FeatureKey> feature_keys() {
       FeatureKey{"beam.axial_direction", Feature::fixed_axial_force,
                  [](const Case& of) { return of_beam(of, &Beam::axial_direction); }},
       FeatureKey{"wall.with_base", Feature::wall_with_base,
-                 [](const Case& of) { return of.contact.wall.moves_with_base() ? 1.0 : 0.0; }},
+                 [](const Case& of) { return of.contact.wall.moves_with_base() ? 1.0 : 0.0; }, 0.0, true},
       FeatureKey{"excitation.force", Feature::force,
                  [](const Case& of) {
                    return of.excitation().is_force() ? of.excitation().motion().amplitude : 0.0;

@@ -79,14 +79,16 @@ void add_steady_state(Answer& answer, const std::optional<studies::SteadyState>&
 }
 
 void add_outlook(Answer& answer, const studies::CriterionAnswer& found, double frequency_hz) {
-  const auto& [mode, hz, distance] = found.nearest;
+  if (!found.nearest) answer.add_members({{"nearest_natural_frequency", nullptr}});
+  const auto [mode, hz, distance] = found.nearest.value_or(studies::StickFrequency{});
   const double share = 100.0 * std::abs(distance);
-  answer.add_row({"nearest natural freq. / Hz",
-                  "nearest_natural_frequency",
-                  {{{"mode", mode}, {"frequency_hz", hz}, {"relative_distance", distance}},
-                   fmt::format("{} (mode {}), {} % {}", rounded(hz, 7).text, mode,
-                               share < 99.5 ? fmt::format("{:.2g}", share) : fmt::format("{:.0f}", share),
-                               distance < 0.0 ? "below" : "above")}});
+  if (found.nearest)
+    answer.add_row({"nearest natural freq. / Hz",
+                    "nearest_natural_frequency",
+                    {{{"mode", mode}, {"frequency_hz", hz}, {"relative_distance", distance}},
+                     fmt::format("{} (mode {}), {} % {}", rounded(hz, 7).text, mode,
+                                 share < 99.5 ? fmt::format("{:.2g}", share) : fmt::format("{:.0f}", share),
+                                 distance < 0.0 ? "below" : "above")}});
   const auto& best = found.best_change;
   if (!best) return answer.add_members({{"best_change", nullptr}});
   answer.add_row({"best change by a tenth",
@@ -99,10 +101,10 @@ void add_outlook(Answer& answer, const studies::CriterionAnswer& found, double f
 Answer answer_for_one(const data::Case& problem, const studies::CriterionAnswer& found) {
   Answer answer;
   const data::Damping& damping = problem.damping;
-  const bool is_damped = !damping.is_none();
+  const bool is_damped = problem.is_damped();
   add_excitation(answer, problem);
   answer.add_members({{"duration_s", problem.numerics.duration()}, {"modes", problem.numerics.modes()}});
-  if (is_damped)
+  if (!damping.is_none())
     answer.add_members({{"damping",
                          {{"kelvin_voigt_s", damping.kelvin_voigt()},
                           {"ratio", damping.ratio()},
@@ -122,7 +124,7 @@ std::vector<std::string> warnings_about(const data::Case& problem, analytic::Ver
                                         const std::optional<studies::Bending>& bending) {
   auto warnings = sentences_of(studies::criterion_warnings(problem));
   if (bending)
-    if (const auto warning = studies::draw_back_warning(problem.beam(), bending->draw_back))
+    if (const auto warning = studies::draw_back_warning(problem, bending->draw_back))
       warnings.push_back(*warning);
   if (verdict != analytic::Verdict::stick)
     if (const auto unstable = studies::instability_warning(problem)) warnings.push_back(unstable->sentence);
@@ -131,7 +133,7 @@ std::vector<std::string> warnings_about(const data::Case& problem, analytic::Ver
 
 data::Case case_of(const CaseOptions& options, const std::vector<data::Override>& point = {}) {
   data::Case problem = load_case(options, point);
-  analytic::require_contact(problem.beam());
+  analytic::require_contact(problem);
   studies::require_feasible(problem);
   return problem;
 }

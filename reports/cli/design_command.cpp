@@ -44,14 +44,21 @@ struct Ranges {
 };
 
 Ranges ranges_of(const data::Case& problem, const DesignOptions& options) {
+  if (problem.model() != nullptr) {
+    for (const auto& [option, value] : {std::pair{"--length", options.length}, {"--force", options.force}})
+      if (value) throw data::FieldError(option, *value, "left out for a [model], which has no such range");
+    return {parse_range("--band", "excitation.frequency_hz", options.band, true), {}, {}};
+  }
   return {parse_range("--band", "excitation.frequency_hz", options.band, true),
           range_of(problem, "beam.length", "--length", options.length, 0.5, 2.0),
           range_of(problem, "beam.axial_force", "--force", options.force, 0.1, 10.0)};
 }
 
 // The case at the highest frequency of the band and that length.
-data::Case at_the_end_of(const data::Case& problem, const analytic::Bounds& band, double length) {
-  return with_values(problem, {{"excitation.frequency_hz", band.upper}, {"beam.length", length}});
+data::Case at_the_end_of(const data::Case& problem, const analytic::Bounds& band,
+                         const std::optional<double>& length = {}) {
+  const data::Case at_end = with_value(problem, "excitation.frequency_hz", band.upper);
+  return length ? with_value(at_end, "beam.length", *length) : at_end;
 }
 
 std::string reason_for(const studies::DesignInterval& interval, bool is_one_frequency) {
@@ -103,7 +110,7 @@ Answer design_answer(const data::Case& problem, const studies::Design& design) {
     return margin;
   };
   answer.add_row({"smallest margin mu_s P/|f_max|", "margin", judged(margin_bounds)});
-  if (!problem.damping.is_none())
+  if (problem.is_damped())
     answer.add_row({"smallest margin, steady", "steady_margin", judged(steady_margin)});
   answer.add_row({"at / Hz", "frequency_hz", {worst_hz, significant(worst_hz, 7)}});
   answer.add_row({"largest |f| / N", "force_max_N", between(force)});
@@ -111,6 +118,7 @@ Answer design_answer(const data::Case& problem, const studies::Design& design) {
   answer.add_members({{"evaluations", evaluations}});
   answer.add_row(
       {"natural frequencies in the band", "natural_frequencies_in_band", resonances_of(resonances)});
+  if (problem.model() != nullptr) return answer;
   const bool is_one_frequency = design.band.from_hz == design.band.to_hz;
   add_scan(answer, fmt::format("length / m at P = {} N", data::shortest_text(problem.beam().axial_force())),
            "lengths_m", design.lengths, is_one_frequency);
@@ -122,11 +130,12 @@ Answer design_answer(const data::Case& problem, const studies::Design& design) {
 
 Answer design(const DesignOptions& options, Outputs& outputs) {
   data::Case problem = load_case(options.problem);
-  analytic::require_contact(problem.beam());
+  analytic::require_contact(problem);
   const Ranges ranges = ranges_of(problem, options);
   problem.numerics = numerics_up_to(ranges.band.upper, problem);
-  for (const double length : {problem.beam().length(), ranges.lengths.lower})
-    studies::require_feasible(at_the_end_of(problem, ranges.band, length));
+  studies::require_feasible(at_the_end_of(problem, ranges.band));
+  if (problem.model() == nullptr)
+    studies::require_feasible(at_the_end_of(problem, ranges.band, ranges.lengths.lower));
   outputs.set_case(problem);
   outputs.open({});
   report::Progress& progress = outputs.progress();
@@ -134,8 +143,7 @@ Answer design(const DesignOptions& options, Outputs& outputs) {
       problem, {ranges.band.lower, ranges.band.upper}, ranges.lengths, ranges.forces,
       [&](std::string_view stage) { progress.stage(stage); }, std::ref(progress));
   Answer answer = design_answer(problem, found);
-  answer.warnings =
-      sentences_of(studies::design_warnings(at_the_end_of(problem, ranges.band, problem.beam().length())));
+  answer.warnings = sentences_of(studies::design_warnings(at_the_end_of(problem, ranges.band)));
   if (found.margin.margin.lower < 1.0)
     if (const auto unstable = studies::instability_warning(problem)) add_warning(answer, unstable->sentence);
   return answer;

@@ -16,18 +16,25 @@ namespace stickslip::cli {
 
 namespace {
 
-constexpr const char* column_names =
-    "time_s,base_displacement_m,tip_displacement_m,midspan_displacement_m,sliding_velocity_m_per_s,"
-    "friction_force_N,state\n";
+// y(L/2) is a beam's alone.
+std::string column_names(bool with_midspan = true) {
+  return fmt::format(
+      "time_s,base_displacement_m,tip_displacement_m,{}sliding_velocity_m_per_s,friction_force_N,state\n",
+      with_midspan ? "midspan_displacement_m," : "");
+}
 
-std::string csv_line(const studies::HistoryRow& row) {
+std::string csv_line(const studies::HistoryRow& row, bool with_midspan = true) {
   std::string line = data::shortest_text(row.time);
-  for (const double value : {row.base_displacement, row.tip_displacement, row.midspan_displacement,
-                             row.sliding_velocity, row.friction_force}) {
+  const auto add = [&](double value) {
     if (!std::isfinite(value))
       data::throw_overflow(fmt::format("the history is not finite at {} s", data::shortest_text(row.time)));
     line += "," + data::shortest_text(value + 0.0);  // -0 becomes 0
-  }
+  };
+  add(row.base_displacement);
+  add(row.tip_displacement);
+  if (with_midspan) add(row.midspan_displacement);
+  add(row.sliding_velocity);
+  add(row.friction_force);
   return fmt::format("{},{}\n", line, data::to_string(row.state));
 }
 
@@ -58,7 +65,7 @@ class HistoryOutput::Drawing {
  public:
   // Of about so many rows, `from` to `to` (s).
   Drawing(double from, double to, double rows)
-      : from_(from), width_(rows > 2.0 * columns ? (to - from) / columns : 0.0), text_(column_names) {}
+      : from_(from), width_(rows > 2.0 * columns ? (to - from) / columns : 0.0), text_(column_names()) {}
 
   void add(const studies::HistoryRow& row) {
     const double column = width_ > 0.0 ? std::floor((row.time - from_) / width_) : row.time;
@@ -117,6 +124,7 @@ class HistoryOutput::Drawing {
 
 HistoryOutput::HistoryOutput(const data::Case& problem, const HistoryOptions& options, Outputs& outputs)
     : problem_(problem),
+      is_beam_(problem.model() == nullptr),
       outputs_(outputs),
       from_(options.from),
       to_(end_of(problem, options)),
@@ -152,9 +160,10 @@ void HistoryOutput::add(const studies::HistoryRow& row, long step) {
   if (row.time < from_ - rounding || row.time > to_ + rounding) return;
   // The header not before, so that an error in the problem writes nothing.
   outputs_.file("--output")
-      .write(
-          (rows_++ == 0 ? fmt::format("# {}\n{}", outputs_.heading("Motion of the tip"), column_names) : "") +
-          csv_line(row));
+      .write((rows_++ == 0
+                  ? fmt::format("# {}\n{}", outputs_.heading("Motion of the tip"), column_names(is_beam_))
+                  : "") +
+             csv_line(row, is_beam_));
   if (drawing_) drawing_->add(row);
 }
 

@@ -53,6 +53,7 @@ class HistoryOutput {
   [[nodiscard]] std::string spectrum_text();
 
   const data::Case& problem_;
+  bool is_beam_;
   Outputs& outputs_;
   report::Progress* progress_{};
   double from_, to_;

@@ -65,7 +65,7 @@ Answer modes_answer(const data::Case& problem, const ModesOptions& options,
                                 significant(frequency.hz, digits_that_hold(frequency.relative_error))));
   }
   answer.add_members({{"frequencies_hz", hz}, {"relative_error_estimates", errors}});
-  if (!problem.damping.is_none()) {
+  if (problem.is_damped()) {
     answer.add_line("\nThese are the undamped frequencies; the damping of the case is left out.");
     answer.add_members({{"undamped", true}});
   }
@@ -78,11 +78,11 @@ Answer modes(const ModesOptions& options, Outputs& outputs) {
   outputs.open({{"--figure", options.figure}});
   if (outputs.has("--figure") && options.count > most_drawn)
     throw data::FieldError("--count", options.count, fmt::format("at most {} with --figure", most_drawn));
-  const auto frequencies =
-      options.is_mesh() ? studies::mesh_frequencies(problem, options.tip(), options.count)
-                        : studies::closed_form_frequencies(problem.beam(), options.tip(), options.count);
+  const auto frequencies = options.is_mesh()
+                               ? studies::mesh_frequencies(problem, options.tip(), options.count)
+                               : studies::closed_form_frequencies(problem, options.tip(), options.count);
   Answer answer = modes_answer(problem, options, frequencies);
-  answer.warnings = sentences_of(studies::frequency_warnings(problem.beam(), options.tip(), options.count));
+  answer.warnings = sentences_of(studies::frequency_warnings(problem, options.tip(), options.count));
   require_finite(answer.json);
   outputs.draw(problem.name,
                [&](const report::Look& look) { return drawing(problem, options, frequencies, look); });

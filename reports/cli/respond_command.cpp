@@ -76,7 +76,8 @@ Answer respond(const RespondOptions& options, Outputs& outputs) {
   // The largest values are those of all that is looked at: all time steps of a method in steps, else as many as it takes.
   const long step = method.in_time_steps ? 1 : studies::look_step(problem, output.row_step());
   studies::Sampling sampling{.every = step};
-  if (method.basis != studies::Basis::whole_beam) {  // each position would take it half of its time again
+  if (method.basis != studies::Basis::whole_beam &&
+      problem.model() == nullptr) {  // each position would take it half of its time again
     sampling.positions = studies::Bending::positions(problem.beam().length());
     sampling.positions_every = studies::usual_row_step(problem, problem.numerics.duration());
   }
@@ -91,8 +92,8 @@ Answer respond(const RespondOptions& options, Outputs& outputs) {
                 fmt::format("--scheme {} is a comparison: changes of contact come up to a step late, and "
                             "forces and changes may be far off; located is the scheme for results",
                             *options.scheme));
-  add_warning(answer, studies::deflection_warning(problem.beam(), output.largest_deflection()));
-  add_warning(answer, studies::draw_back_warning(problem.beam(), output.bending().draw_back));
+  add_warning(answer, studies::deflection_warning(problem, output.largest_deflection()));
+  add_warning(answer, studies::draw_back_warning(problem, output.bending().draw_back));
   if (run.starts_with_the_base)
     add_warning(answer, std::string("--initial-velocity zero starts with a blow of the base: the largest |f| "
                                     "just after it grows with the modes or elements without a limit, so that "

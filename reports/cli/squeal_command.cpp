@@ -149,7 +149,7 @@ Answer steady_sliding(const SquealOptions& options, Outputs& outputs) {
   progress.stage("following the motion from rest");
   Answer answer = squeal_answer(squeal, studies::limit_cycle_of(problem, options.settle));
   answer.warnings = sentences_of(studies::history_warnings(problem, studies::event_driven()));
-  add_warning(answer, studies::deflection_warning(problem.beam(), squeal.tip_displacement));
+  add_warning(answer, studies::deflection_warning(problem, squeal.tip_displacement));
   require_finite(answer.json);
   const std::string map = options.map.empty() ? "" : map_text(problem, speeds, ratios, progress);
   outputs.write_table("--map", [&] { return map; });

@@ -94,7 +94,7 @@ Answer sweep_answer(const studies::SweepTask& task, const std::vector<studies::S
   double largest = 0.0;
   for (const auto& point : points)
     for (const auto& row : point.section) largest = std::max(largest, std::abs(row.tip_displacement));
-  add_warning(answer, studies::deflection_warning(task.problem.beam(), largest));
+  add_warning(answer, studies::deflection_warning(task.problem, largest));
   const data::Case last = data::with_value(task.problem, task.parameter, task.values.back());
   add_warning(answer, studies::fixed_step_warning(
                           last, 1.0 / (last.excitation().frequency_hz() * studies::steps_per_period(last))));

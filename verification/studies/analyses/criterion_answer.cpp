@@ -22,23 +22,32 @@ namespace stickslip::studies {
 
 namespace {
 
-StickFrequency nearest_stick_frequency(const data::Case& problem) {
+std::optional<StickFrequency> nearest_stick_frequency(const data::Case& problem) {
   const auto shares = analytic::held_modes(problem, analytic::modes_of_all(problem).first);
+  if (shares.empty()) return std::nullopt;
   const double omega = angular_frequency(problem.excitation());
   const auto nearest = std::ranges::min_element(
       shares, {}, [&](const auto& share) { return std::abs(share.angular_frequency - omega); });
-  return {.mode = static_cast<int>(nearest - shares.begin()) + 1,
-          .hz = nearest->angular_frequency / (2.0 * std::numbers::pi),
-          .distance = (nearest->angular_frequency - omega) / omega};
+  return StickFrequency{.mode = static_cast<int>(nearest - shares.begin()) + 1,
+                        .hz = nearest->angular_frequency / (2.0 * std::numbers::pi),
+                        .distance = (nearest->angular_frequency - omega) / omega};
 }
 
-std::optional<SteadyState> steady_state(const data::Case& problem, const StickFrequency& nearest) {
-  const auto natural = closed_form_frequencies(problem.beam(), analytic::TipSupport::held, nearest.mode);
-  if (problem.damping.is_none() && std::abs(nearest.distance) <= natural.back().relative_error)
+// 1/s, of the slowest free vibration of the held contact; infinite if there is none.
+double slowest_decay(const data::Case& problem) {
+  if (problem.model() != nullptr) return analytic::StickReaction(problem).slowest_decay();
+  const double first = two_pi * stick_hz(problem.beam(), 1);
+  return first * problem.damping.ratio_at(first);
+}
+
+std::optional<SteadyState> steady_state(const data::Case& problem,
+                                        const std::optional<StickFrequency>& nearest) {
+  if (!problem.is_damped() && nearest &&
+      std::abs(nearest->distance) <=
+          closed_form_frequencies(problem, analytic::TipSupport::held, nearest->mode).back().relative_error)
     return std::nullopt;
   constexpr double steady_after = 3.0;  // time constants, which leave 5 % of a free vibration
-  const double first = 2.0 * std::numbers::pi * natural.front().hz;
-  const double decay = first * problem.damping.ratio_at(first);
+  const double decay = slowest_decay(problem);
   const analytic::Bounds per_unit = analytic::steady_reaction(problem);
   const double limit = friction_limit(problem);
   const analytic::Bounds force = problem.excitation().amplitude() * per_unit;
@@ -65,7 +74,7 @@ Bending held_bending(const data::Case& problem, std::vector<double> times) {
 // Damped, over a period once the slowest free vibration has fallen to exp(-30). A ratio holds with the tip free, whose first
 // frequency is more than a fifth of the held one.
 double steady_draw_back(const data::Case& problem) {
-  if (problem.damping.is_none()) {
+  if (!problem.is_damped()) {
     Bending bending;
     bending.include(steady_crest(problem, Bending::positions(problem.beam().length())),
                     problem.beam().length());
@@ -133,7 +142,7 @@ std::optional<SteadyState> steady_state(const data::Case& problem) {
 
 std::optional<Bending> held_bending(const data::Case& problem) {
   constexpr int instants = 4096;
-  if (problem.has(data::Feature::shear)) return std::nullopt;
+  if (problem.model() != nullptr || problem.has(data::Feature::shear)) return std::nullopt;
   std::vector<double> times;
   for (int i = 0; i < instants; ++i)
     times.push_back(problem.numerics.duration() *
@@ -182,7 +191,8 @@ CriticalAmplitudeCurve critical_amplitude_curve(const data::Case& problem) {
   CriticalAmplitudeCurve curve;
   for (const auto& share : analytic::held_modes(problem, problem.numerics.modes()))
     curve.natural_hz.push_back(share.angular_frequency / (2.0 * std::numbers::pi));
-  const double last = std::max(reach * here, beyond * curve.natural_hz.front());
+  const double last =
+      std::max(reach * here, curve.natural_hz.empty() ? 0.0 : beyond * curve.natural_hz.front());
   std::vector<double> frequencies;
   for (int i = 0; i <= steps; ++i)
     frequencies.push_back(first * std::pow(last / first, static_cast<double>(i) / steps));

@@ -40,8 +40,9 @@ struct CriterionAnswer {
   analytic::Criterion truncated;      ///< with numerics.modes, as in the paper
   analytic::Criterion all_modes;      ///< without truncation
   std::optional<SteadyState> steady;  ///< nothing for an undamped beam at a natural frequency, to rounding
-  StickFrequency nearest;             ///< the natural frequency nearest to that of the excitation
-  std::optional<Bending> bending;     ///< held_bending()
+  std::optional<StickFrequency>
+      nearest;  ///< the natural frequency nearest to that of the excitation; one mass has none
+  std::optional<Bending> bending;          ///< held_bending()
   std::optional<double> steady_draw_back;  ///< of the steady vibration, m
   std::optional<Change> best_change;       ///< by a tenth; nothing for an excitation amplitude of 0
 };

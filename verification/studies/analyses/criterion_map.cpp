@@ -67,7 +67,7 @@ class Forces {
   explicit Forces(const MapTask& task)
       : by_elements_(task.method->basis == Basis::elements), reactions_(task.problem) {
     // Their modes depend on more than the load factor.
-    if (by_elements_ || !varies_beam(task) || couples_modes(task)) return;
+    if (by_elements_ || task.problem.model() != nullptr || !varies_beam(task) || couples_modes(task)) return;
     double lowest = std::numeric_limits<double>::infinity(), highest = 0.0;
     for (const std::size_t j : ends_of(task.y))
       for (const std::size_t i : ends_of(task.x)) {
@@ -139,12 +139,12 @@ class Responses {
 
 // The quantities of a cell that |f_max| per unit of the stated amplitude is compared with.
 struct Factors {
-  double amplitude{}, static_coefficient{}, axial_force{};
+  double amplitude{}, static_coefficient{}, normal_force{};
 
   void set(std::string_view parameter, double value) {
     if (is_amplitude(parameter)) amplitude = value;
     if (parameter == "friction.static_coefficient") static_coefficient = value;
-    if (parameter == "beam.axial_force") axial_force = value;
+    if (parameter == "beam.axial_force" || parameter == "model.normal_force") normal_force = value;
   }
 };
 
@@ -153,7 +153,7 @@ void complete(CriterionMap::Cell& cell, const MapEvaluation& evaluation, const F
   cell.state = evaluation.state;
   cell.response = evaluation.response;
   if (!evaluation.unit_force) return;
-  const double limit = factors.static_coefficient * factors.axial_force;
+  const double limit = factors.static_coefficient * factors.normal_force;
   const double ratio = factors.amplitude * evaluation.unit_force->midpoint() / limit;
   if (!std::isfinite(ratio)) data::throw_overflow("a force ratio of the map is not finite");
   if (!states_only) cell.force_ratio = ratio;
@@ -201,7 +201,7 @@ std::vector<MapEvaluation> evaluations_of(const MapTask& task, const std::vector
   const auto evaluation_at = [&](std::size_t number) -> MapEvaluation {
     const data::Case point = case_at(task, number % grid.columns, number / grid.columns);
     if (may_be_buckled && analytic::is_buckled(point)) return {.unit_force = {}, .state = std::nullopt};
-    analytic::require_contact(point.beam());
+    analytic::require_contact(point);
     if (responses) return responses->at(point);
     if (decide_only)
       return {.unit_force = {}, .state = forces->slips(point) ? Verdict::stick_slip : Verdict::stick};
@@ -282,7 +282,7 @@ CriterionMap criterion_map(const MapTask& task, const std::function<void(double)
   map.cells.resize(last - first);
   Factors factors{.amplitude = task.problem.excitation().motion().amplitude,
                   .static_coefficient = task.problem.contact.friction.static_coefficient(),
-                  .axial_force = task.problem.beam().axial_force()};
+                  .normal_force = task.problem.normal_force()};
   for (std::size_t n = first; n < last; ++n) {
     CriterionMap::Cell& cell = map.cells[n - first];
     cell.x = task.x.values[n % grid.cells_along_x];

@@ -195,7 +195,7 @@ std::vector<DesignInterval> joined(const std::vector<std::vector<DesignInterval>
 
 BandMargin band_margin(const data::Case& problem, const analytic::FrequencyBand& band,
                        double relative_width) {
-  analytic::require_contact(problem.beam());
+  analytic::require_contact(problem);
   require_margin(problem);
   const analytic::StickReaction reaction(problem);
   analytic::BandMaximum search = reaction.over(stated_by(problem, band));
@@ -208,7 +208,7 @@ BandMargin band_margin(const data::Case& problem, const analytic::FrequencyBand&
                     .evaluations = static_cast<int>(search.evaluations()),
                     .resonances = {},
                     .steady_margin = {}};
-  if (!problem.damping.is_none()) {
+  if (problem.is_damped()) {
     const analytic::Bounds steady =
         reaction.over(stated_by(problem, band), analytic::DampedForcePart::steady).refined_to(relative_width);
     margin.steady_margin = limit / (amplitude * steady);
@@ -268,6 +268,7 @@ Design design(const data::Case& problem, const analytic::FrequencyBand& band, co
   Design result{.band = band, .margin = {}, .lengths = {}, .forces = {}};
   stage("margin");
   result.margin = band_margin(problem, band);
+  if (problem.model() != nullptr) return result;
   stage("lengths");
   result.lengths =
       design_scan(problem, "beam.length", lengths, band, [&](double share) { progress(0.5 * share); });
@@ -288,7 +289,7 @@ double buckling_value(const data::Case& problem, std::string_view parameter) {
     throw std::invalid_argument(std::string(parameter) +
                                 " is varied in a design, but must be beam.length or beam.axial_force");
   // Throws with a message about the axial force.
-  if (problem.beam().axial_force() <= 0.0) analytic::require_contact(problem.beam());
+  if (problem.normal_force() <= 0.0) analytic::require_contact(problem);
   return buckling_length(problem.beam());
 }
 

@@ -87,7 +87,7 @@ STICKSLIP_MEMBERS(DesignScan, (accuracy), (intervals))
 struct Design {
   analytic::FrequencyBand band;
   BandMargin margin;
-  DesignScan lengths, forces;
+  DesignScan lengths, forces;  ///< of a beam
 };
 STICKSLIP_MEMBERS(Design, (band, "Hz"), (margin), (lengths), (forces))
 

@@ -51,7 +51,7 @@ double allowed_step(double spectral_radius, double omega) {
 
 std::optional<Warning> resonance_warning(const data::Case& problem) {
   const double omega = angular_frequency(problem.excitation()), duration = problem.numerics.duration();
-  if (!problem.damping.is_none() || problem.excitation().amplitude() == 0.0 ||
+  if (problem.is_damped() || problem.excitation().amplitude() == 0.0 ||
       0.5 * omega * duration < grown_response)
     return std::nullopt;
   int count = problem.numerics.modes();  // also those that are left out
@@ -91,8 +91,9 @@ void warn_of_distance(const data::Case& problem, std::vector<Warning>& warnings)
                                   1.0 / distance(*nearest), percent(least_resonance_distance))});
 }
 
-void warn_of_thickness(const data::Beam& beam, bool slip, int mode, std::vector<Warning>& warnings) {
-  if (beam.shear_stiffness() > 0.0) return;
+void warn_of_thickness(const data::Case& problem, bool slip, int mode, std::vector<Warning>& warnings) {
+  if (problem.model() != nullptr || problem.has(data::Feature::shear)) return;
+  const data::Beam& beam = problem.beam();
   const double error = slip ? slip_model_error(beam, mode) : stick_model_error(beam, mode);
   if (error <= allowed_model_error) return;
   const double radius = std::sqrt(beam.second_moment_of_area() / beam.area());
@@ -181,7 +182,7 @@ std::optional<Warning> instability_warning(const data::Case& problem) {
   if (!found) return std::nullopt;
   const data::Beam& beam = problem.beam();
   const bool buckles = found->root.imag() == 0.0, is_sheared = beam.shear_stiffness() > 0.0,
-             has_loss = !problem.damping.is_none() || problem.contact.friction.viscous() > 0.0;
+             has_loss = problem.is_damped() || problem.contact.friction.viscous() > 0.0;
   const double unit = beam.youngs_modulus() * beam.second_moment_of_area() / (beam.length() * beam.length());
   return Warning{
       buckles ? Concern::buckling : Concern::flutter, beam.axial_force(), found->load,
@@ -209,7 +210,7 @@ std::optional<Warning> few_modes_warning(const data::Case& problem) {
 
 std::optional<Warning> coarse_mesh_warning(const data::Case& problem) {
   constexpr int most_elements = 10'000;
-  if (analytic::is_buckled(problem)) return std::nullopt;
+  if (problem.model() != nullptr || analytic::is_buckled(problem)) return std::nullopt;
   const auto vibrations = analytic::free_vibrations(problem);
   const double effect = mesh_effect(problem, vibrations, problem.numerics.elements());
   if (effect <= allowed_model_error) return std::nullopt;
@@ -241,22 +242,22 @@ std::vector<Warning> criterion_warnings(const data::Case& problem) {
   std::vector<Warning> warnings;
   warn_of_resonance_or_distance(problem, warnings);
   add_warning(few_modes_warning(problem), warnings);
-  warn_of_thickness(problem.beam(), false, highest_mode_that_matters(problem), warnings);
+  warn_of_thickness(problem, false, highest_mode_that_matters(problem), warnings);
   const auto thick = std::ranges::find(warnings, Concern::thick_beam, &Warning::concern);
-  if (thick != warnings.end() && problem.damping.is_none()) thick->sentence += "; " + shear_effect(problem);
+  if (thick != warnings.end() && !problem.is_damped()) thick->sentence += "; " + shear_effect(problem);
   return warnings;
 }
 
 std::vector<Warning> design_warnings(const data::Case& problem) {
   std::vector<Warning> warnings;
   add_warning(few_modes_warning(problem), warnings);
-  warn_of_thickness(problem.beam(), false, highest_mode_that_matters(problem), warnings);
+  warn_of_thickness(problem, false, highest_mode_that_matters(problem), warnings);
   return warnings;
 }
 
-std::vector<Warning> frequency_warnings(const data::Beam& beam, analytic::TipSupport tip, int count) {
+std::vector<Warning> frequency_warnings(const data::Case& problem, analytic::TipSupport tip, int count) {
   std::vector<Warning> warnings;
-  warn_of_thickness(beam, tip == analytic::TipSupport::free, count, warnings);
+  warn_of_thickness(problem, tip == analytic::TipSupport::free, count, warnings);
   return warnings;
 }
 
@@ -269,7 +270,7 @@ std::vector<Warning> history_warnings(const data::Case& problem, const Method& m
     add_warning(few_modes_warning(problem), warnings);
   }
   const int mode = highest_mode_that_matters(problem);
-  warn_of_thickness(problem.beam(), false, mode, warnings);
+  warn_of_thickness(problem, false, mode, warnings);
   if (method.basis == Basis::elements) {
     add_warning(coarse_mesh_warning(problem), warnings);
     warn_of_step(problem, mode, warnings);
@@ -283,7 +284,7 @@ std::optional<Warning> growth_warning(const data::Case& problem, const Method& m
   if (!method.follows_slip() || method.basis == Basis::whole_beam) return std::nullopt;
   if (problem.contact.compliance.has_spring()) return std::nullopt;  // σ* is that of a law without memory
   if ((stepped ? numerics.elements() : numerics.modes()) >
-      (problem.damping.is_none() ? most_undamped_for_growth : most_damped_for_growth))
+      (!problem.is_damped() ? most_undamped_for_growth : most_damped_for_growth))
     return std::nullopt;
   const auto contact = [&] {
     if (!stepped) return continuous_contact(analytic::contact_model(problem, numerics.modes()));
@@ -291,7 +292,7 @@ std::optional<Warning> growth_warning(const data::Case& problem, const Method& m
         solver::beam_contact_system(solver::BeamModel(problem.beam(), numerics.elements()), problem);
     return stepped_contact(solver::ContactMobility(system), numerics.time_step(), numerics.spectral_radius());
   }();
-  const double kappa = weakening(problem.contact.friction, problem.beam().axial_force());
+  const double kappa = weakening(problem.contact.friction, problem.normal_force());
   const double allowed = allowed_growth / numerics.duration();
   if (grows_at_most(contact, kappa, allowed)) return std::nullopt;
   const double run_bound = growth_bound(contact, kappa);
@@ -334,6 +335,7 @@ void warn_of_law(const data::Case& problem, const History& history, std::vector<
 void warn_of_alternation(const data::Case& problem, std::vector<std::string>& sentences) {
   const data::NumericalSettings& numerics = problem.numerics;
   const double eta = problem.damping.kelvin_voigt(), radius = numerics.spectral_radius();
+  if (problem.model() != nullptr) return;
   const double omega = 1.0 / time_step_of({.angle = 1.0}, problem.beam(), numerics.elements());
   const double allowed = 2.0 / (eta * omega * omega);
   if (radius == 0.0 || eta == 0.0 || numerics.time_step() <= allowed) return;
@@ -484,7 +486,9 @@ double curvature_error(const data::Beam& beam, double deflection) {
   return 27.0 / 8.0 * std::pow(deflection / beam.length(), 2);
 }
 
-std::optional<std::string> deflection_warning(const data::Beam& beam, double deflection) {
+std::optional<std::string> deflection_warning(const data::Case& problem, double deflection) {
+  if (problem.model() != nullptr) return std::nullopt;
+  const data::Beam& beam = problem.beam();
   const double error = curvature_error(beam, deflection);
   if (!(error > allowed_model_error)) return std::nullopt;
   return fmt::format(
@@ -497,8 +501,9 @@ double spring_that_keeps(const data::Beam& beam, double draw_back) {
   return 0.1 * beam.axial_force() / draw_back;
 }
 
-std::optional<std::string> draw_back_warning(const data::Beam& beam, double draw_back) {
+std::optional<std::string> draw_back_warning(const data::Case& problem, double draw_back) {
   if (!(draw_back > allowed_draw_back)) return std::nullopt;
+  const data::Beam& beam = problem.beam();
   return fmt::format(
       "the tip draws back from the wall by {:.3g} mm as the beam bends: P = {:.6g} N stays within 10 % only "
       "if a spring softer than {:.3g} N/mm presses the tip, with little mass",
@@ -516,12 +521,13 @@ std::vector<Warning> warnings_common_to(const data::Case& problem,
   if (all_of([](const data::KeyEffects& one) { return one.keeps_frequencies; }))
     warn_of_resonance_or_distance(problem, warnings);
   if (all_of([](const data::KeyEffects& one) { return !one.has_proportions; }))
-    warn_of_thickness(problem.beam(), false, highest_mode_that_matters(problem), warnings);
+    warn_of_thickness(problem, false, highest_mode_that_matters(problem), warnings);
   return warnings;
 }
 
 void require_feasible(const data::Case& problem) {
   require_resting_wall(problem);
+  require_start_at_rest(problem);
   require_periods(problem, most_periods_in_closed_form);
 }
 

@@ -82,7 +82,7 @@ constexpr double share_that_matters = 0.01;
 /// Of |f_max| over a band up to the excitation frequency of the case: few modes.
 [[nodiscard]] std::vector<Warning> design_warnings(const data::Case& problem);
 /// Of so many natural frequencies: thick beam, by the highest of them; with the tip free by slip_model_error().
-[[nodiscard]] std::vector<Warning> frequency_warnings(const data::Beam& beam, analytic::TipSupport tip,
+[[nodiscard]] std::vector<Warning> frequency_warnings(const data::Case& problem, analytic::TipSupport tip,
                                                       int count);
 
 /// The warning that slip of the case grows at its axial force (slip_instability()), with the load from which on it does. The
@@ -161,7 +161,7 @@ void require_held_growth(const data::Case& problem, const Method& method);
 
 /// The warning that a deflection of the tip leaves the theory of small slopes: curvature_error() above allowed_model_error,
 /// which is 12 % of the length.
-[[nodiscard]] std::optional<std::string> deflection_warning(const data::Beam& beam, double deflection);
+[[nodiscard]] std::optional<std::string> deflection_warning(const data::Case& problem, double deflection);
 
 /// The stiffness (N/m) of the spring that keeps P to 10 % as the tip draws back by that way (m): P/10 over the way.
 [[nodiscard]] double spring_that_keeps(const data::Beam& beam, double draw_back);
@@ -169,7 +169,7 @@ void require_held_growth(const data::Case& problem, const Method& method);
 /// The warning that the axial force hardly stays constant: a way above allowed_draw_back, for which P must compress that spring by
 /// more than 1 mm.
 constexpr double allowed_draw_back = 1e-4;  // m
-[[nodiscard]] std::optional<std::string> draw_back_warning(const data::Beam& beam, double draw_back);
+[[nodiscard]] std::optional<std::string> draw_back_warning(const data::Case& problem, double draw_back);
 
 /// The warnings for the criterion that hold for all values of the varied parameters: none of few modes, no resonance warning if
 /// one of them changes a frequency, no thick-beam warning if the length or the section is varied, and no warning if P is not

@@ -50,11 +50,12 @@ class Verdicts {
 
   // From now on the modes of undamped beams with a load factor between those of the values are interpolated.
   void tabulate(const std::vector<std::vector<double>>& values) {
+    if (problem_.model() != nullptr) return;
     double lowest = std::numeric_limits<double>::infinity(), highest = 0.0;
     for (const auto& sample : values) {
       try {
         const data::Case problem = case_at(sample);
-        analytic::require_contact(problem.beam());
+        analytic::require_contact(problem);
         const double share = problem.normal_force() / analytic::buckling_load(problem);
         lowest = std::min(lowest, share);
         highest = std::max(highest, share);
@@ -79,7 +80,7 @@ class Verdicts {
   [[nodiscard]] bool slips_at(std::span<const double> values) const {
     const data::Case problem = case_at(values);
     if (force_ || problem.excitation().amplitude() == 0.0) return of(problem).slips;
-    analytic::require_contact(problem.beam());
+    analytic::require_contact(problem);
     const double limit = friction_limit(problem) / problem.excitation().amplitude();
     return band_ ? search_of(problem).exceeds(limit) : reactions_.of(problem).exceeds(limit, force_width);
   }
@@ -88,7 +89,7 @@ class Verdicts {
 
  private:
   [[nodiscard]] SampleResult of(const data::Case& problem) const {
-    analytic::require_contact(problem.beam());
+    analytic::require_contact(problem);
     const double limit = friction_limit(problem), amplitude = problem.excitation().amplitude();
     if (!(amplitude > 0.0)) throw data::FieldError("excitation.amplitude", amplitude, "above 0 (m)");
     const analytic::Bounds force = force_ ? *force_ : unit_force(problem);
@@ -301,7 +302,7 @@ void require_answerable(const data::Case& problem, const data::Uncertainty& unce
   for (const auto& key : uncertainty.keys)
     if (key.key == "excitation.frequency_hz" || key.key.starts_with("damping."))
       throw data::InputError(key.place + ": " + key.key + " is uncertain, but must be certain with a band");
-  if (!problem.damping.is_none())
+  if (problem.is_damped())
     throw data::InputError("the case is damped, but must have no damping with a band; design takes damping");
 }
 

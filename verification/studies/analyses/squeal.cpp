@@ -54,8 +54,8 @@ SquealMode mode_of(const data::Case& problem, const analytic::SlidingMode& mode,
                     .finite_element_root = {}};
   if (mode.hopf) {
     result.critical_slope = holds ? mode.hopf->slope : 0.0;
-    result.critical_speed = analytic::speed_of_slope(problem.contact.friction, problem.beam().axial_force(),
-                                                     *result.critical_slope);
+    result.critical_speed =
+        analytic::speed_of_slope(problem.contact.friction, problem.normal_force(), *result.critical_slope);
   }
   if (mode.root)
     result.finite_element_root =
@@ -92,8 +92,9 @@ Complex fastest_slip(const data::Case& problem, double axial_force) {
 
 std::optional<SlipInstability> slip_instability(const data::Case& problem) {
   constexpr int steps = 32;
-  double load = problem.beam().axial_force();
-  if (load <= 0.0) return std::nullopt;
+  double load = problem.normal_force();
+  if (problem.model() != nullptr || load <= 0.0)
+    return std::nullopt;  // the force of a model does not change it
   const Complex root = fastest_slip(problem, load);
   if (!grows(root)) return std::nullopt;
   const double step = load / steps;
@@ -119,7 +120,7 @@ Squeal squeal_of(const data::Case& problem, int modes) {
   const auto steady =
       analytic::steady_sliding(problem.beam(), problem.contact.friction, problem.contact.wall);
   Squeal squeal{.speed = problem.contact.wall.speed(),
-                .slope = analytic::falling_slope(problem.contact.friction, problem.beam().axial_force(),
+                .slope = analytic::falling_slope(problem.contact.friction, problem.normal_force(),
                                                  problem.contact.wall.speed()),
                 .friction_force = steady.friction_force,
                 .tip_displacement = steady.tip_displacement,
@@ -147,8 +148,7 @@ std::vector<double> sliding_growths(const data::Case& problem, const std::vector
   const analytic::ContactModel model = response_model(with_value(problem, "damping.ratio", damping_ratio));
   std::vector<double> growths;
   for (const double speed : speeds) {
-    const double slope =
-        analytic::falling_slope(problem.contact.friction, problem.beam().axial_force(), speed);
+    const double slope = analytic::falling_slope(problem.contact.friction, problem.normal_force(), speed);
     growths.push_back(analytic::sliding_eigenvalues(model, slope).front().real());
   }
   return growths;

@@ -8,7 +8,7 @@ double angular_frequency(const data::HarmonicExcitation& excitation) {
 }
 
 double friction_limit(const data::Case& problem) {
-  return problem.contact.friction.static_coefficient() * problem.beam().axial_force();
+  return problem.contact.friction.static_coefficient() * problem.normal_force();
 }
 
 data::Beam with_shear(const data::Beam& beam) {
@@ -28,6 +28,15 @@ void require_resting_wall(const data::Case& problem) {
   if (problem.contact.wall.speed() == 0.0) return;
   throw data::FieldError("wall.speed", data::shortest_text(problem.contact.wall.speed()),
                          std::string(resting_wall));
+}
+
+void require_start_at_rest(const data::Case& problem) {
+  for (const data::FeatureKey& key : data::feature_keys())
+    if (const double value = key.value(problem);
+        (key.feature == data::Feature::initial_state || key.feature == data::Feature::constant_force) &&
+        value != key.plain)
+      throw data::FieldError(key.path, value,
+                             "0 but for respond: the criterion is that of a contact that starts at rest");
 }
 
 void require_friction(const data::Case& problem) {

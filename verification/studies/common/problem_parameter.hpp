@@ -32,6 +32,9 @@ inline constexpr std::string_view resting_wall =
 /// the criterion nor the closed form of the stick state holds.
 void require_resting_wall(const data::Case& problem);
 
+/// Throws data::FieldError for a start off the wall or in motion, and for a constant force.
+void require_start_at_rest(const data::Case& problem);
+
 /// Throws data::FieldError if the static coefficient is 0, because a force ratio or a margin divides by it.
 void require_friction(const data::Case& problem);
 

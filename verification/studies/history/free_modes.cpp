@@ -51,7 +51,7 @@ History free_mode_history(const data::Case& problem, const Sampling& sampling, i
   const std::vector<double> holding_force =
       analytic::holding_force(problem.beam(), problem.excitation(), {}, {h, count});
   analytic::FreeModeRun run(analytic::free_modes(problem.beam(), modes),
-                            {problem.beam().axial_force(), problem.contact.friction}, h);
+                            {problem.normal_force(), problem.contact.friction}, h);
   History history;
   std::vector<analytic::ContactStep> steps;
   double tip = 0.0;

@@ -47,7 +47,9 @@ void Bending::include(const HistoryRow& row, double length) {
 void require_bounded(const data::Case& problem, double deflection, double time, const std::string& motion) {
   if (!std::isfinite(deflection))
     data::throw_overflow(fmt::format("{} is not finite at {:.6g} s", motion, time));
-  if (std::abs(deflection) <= most_deflection * (problem.beam().length() + problem.excitation().amplitude()))
+  // A model has no length to measure its deflection by.
+  if (problem.model() != nullptr ||
+      std::abs(deflection) <= most_deflection * (problem.beam().length() + problem.excitation().amplitude()))
     return;
   throw data::InputError(fmt::format(
       "{} is stopped at {:.6g} s: the tip is deflected by {:.3g} m, more than {:.0f} times the length of "
@@ -65,8 +67,7 @@ void add_row(const data::Case& problem, History& history, const RowSink& sink, H
 
 void hold_to_law(const data::Case& problem, History& history, const HistoryRow& row) {
   constexpr double rounding = 1e-9;
-  const double force = problem.beam().axial_force(),
-               limit = problem.contact.friction.static_coefficient() * force,
+  const double force = problem.normal_force(), limit = problem.contact.friction.static_coefficient() * force,
                speed = std::abs(row.sliding_velocity);
   const bool is_rigid = problem.contact.compliance.is_rigid(),
              sticks = row.state == data::ContactState::stick;

@@ -74,7 +74,7 @@ struct Runs {
 
 // Both methods run concurrently.
 Runs runs_of(const data::Case& problem, const ConvergedEffort& effort) {
-  if (!problem.damping.is_none())
+  if (problem.is_damped())
     throw std::invalid_argument(
         fmt::format("{} has damping, but the study is that of an undamped beam.", problem.name));
   const auto all = [&](int first, const auto& run) {
@@ -284,7 +284,7 @@ HistoryRun history_run(const data::Case& problem, const ConvergedHistory& refere
       .changes = static_cast<int>(run.events.size()),
       .highest_angle = mobility.angular_frequencies().maxCoeff() * step,
       .growth_bound = growth_bound(stepped_contact(mobility, step, spectral_radius),
-                                   weakening(problem.contact.friction, problem.beam().axial_force()))};
+                                   weakening(problem.contact.friction, problem.normal_force()))};
   result.error = largest_difference(tip_displacements(run), reference.tip) / reference.tip_range;
   if (observe_growth)
     result.observed_growth =

@@ -27,6 +27,11 @@ const std::vector<std::pair<Feature, std::string_view>> features{
     {Feature::moving_wall, "`wall.speed`"},
     {Feature::shear, "`beam.shear_stiffness`"},
     {Feature::fixed_axial_force, "`beam.axial_direction`"},
+    {Feature::own_structure, "`[model]`"},
+    {Feature::wall_with_base, "`wall.with_base` of a beam"},
+    {Feature::force, "`excitation.force`"},
+    {Feature::constant_force, "`excitation.constant_force`"},
+    {Feature::initial_state, "`[initial]`"},
     {Feature::start_at_rest, "`--initial-velocity zero`"},
     {Feature::contact_scheme, "`--scheme`"}};
 
@@ -38,6 +43,9 @@ const std::string rigid =
     "--method {}; fe and boundary-integral take it";  // after "inf (a rigid contact) for"
 const std::string resting = std::string(resting_wall);
 const std::string no_shear = "0 for --method {}, whose beam is rigid in shear; --method fe has shear";
+const std::string wall_apart = "false for --method {} of a beam; fe and event-driven take it";
+const std::string from_rest =
+    "0 for --method {}, which starts at rest on the wall; fe and event-driven take it";
 const std::string elements_only = "fe where --scheme is given";
 
 // All of them feasible: a run in time steps says how far it is.
@@ -59,11 +67,14 @@ const std::vector<Method>& methods() {
        {{Feature::other_damping, "0 with the boundary integral, which allows Kelvin-Voigt damping only"},
         {Feature::moving_wall, resting},
         {Feature::shear, no_shear},
+        {Feature::wall_with_base, wall_apart},
+        {Feature::initial_state, from_rest},
         {Feature::start_at_rest, quasi_static},
         {Feature::contact_scheme, elements_only}},
        require_steps,
        boundary_integral_history,
-       true},
+       true,
+       {Feature::other_damping, Feature::wall_with_base}},
       {"closed-form",
        Basis::modes,
        {{Feature::slip,
@@ -73,13 +84,17 @@ const std::vector<Method>& methods() {
         {Feature::yielding_contact, rigid},
         {Feature::moving_wall, resting},
         {Feature::shear, no_shear},
+        {Feature::wall_with_base, wall_apart},
+        {Feature::initial_state, from_rest},
         {Feature::start_at_rest, quasi_static},
         {Feature::contact_scheme, elements_only}},
        [](const data::Case& problem) { require_periods(problem, most_periods_in_closed_form); },
        [](const data::Case& problem, const Sampling& sampling, const solver::RunOptions&,
           const RowSink& sink) {
          return closed_form_history(problem, sampling, analytic::SteadyPart::modal_sum, sink);
-       }},
+       },
+       false,
+       {Feature::kelvin_voigt, Feature::other_damping, Feature::wall_with_base}},
       {"event-driven",
        Basis::modes,
        {{Feature::yielding_contact, rigid},
@@ -127,10 +142,11 @@ void Method::require(const data::Case& problem, const solver::RunOptions& option
   for (const data::FeatureKey& key : data::feature_keys()) {
     const double value = key.value(problem);
     if (value == key.plain || !refused.contains(key.feature)) continue;
+    if (problem.model() != nullptr && done_for_models.contains(key.feature)) continue;
     if (key.feature == Feature::yielding_contact)
       data::require_rigid(problem.contact.compliance,
                           fmt::format(fmt::runtime(refused.at(key.feature)), name));
-    require(key.feature, key.path, data::shortest_text(value));
+    require(key.feature, key.path, key.is_flag ? "true" : data::shortest_text(value));
   }
   for (const auto& [scheme, value] : contact_schemes())
     if (options.scheme == value && value != solver::ContactScheme::located)
@@ -153,8 +169,8 @@ std::string table_of_methods() {
 }
 
 void require_periods(const data::Case& problem, double most_periods) {
-  const double natural = analytic::held_modes(problem, problem.numerics.modes()).back().angular_frequency /
-                         (2.0 * std::numbers::pi);
+  const auto modes = analytic::held_modes(problem, problem.numerics.modes());
+  const double natural = modes.empty() ? 0.0 : modes.back().angular_frequency / (2.0 * std::numbers::pi);
   const double highest = std::max(natural, problem.excitation().frequency_hz());
   if (problem.numerics.duration() * highest <= most_periods) return;
   throw data::FieldError(

@@ -39,6 +39,7 @@ struct Method {
                  const RowSink& sink){};
   /// It goes from time step to time step, so that a row at each of them costs little.
   bool in_time_steps{};
+  std::set<data::Feature> done_for_models{};  ///< what it refuses of a beam, but not of a Model
 
   /// Its motion goes on after the first slip.
   [[nodiscard]] bool follows_slip() const { return !refused.contains(data::Feature::slip); }

@@ -8,7 +8,9 @@
 #include <numbers>
 
 #include "stickslip/analytic/slip_modes.hpp"
+#include "stickslip/analytic/steady_sliding.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
+#include "stickslip/analytic/stick_reaction.hpp"
 #include "stickslip/analytic/timoshenko_modes.hpp"
 #include "stickslip/solver/modal_analysis.hpp"
 #include "studies/common/discretisation.hpp"
@@ -83,6 +85,36 @@ std::vector<EstimatedFrequency> closed_form_frequencies(const data::Beam& beam, 
     for (const auto& mode : analytic::stick_modes(beam, count))
       frequencies.push_back({mode.frequency_hz(), wave_number_rounding * mode.condition_number()});
   return frequencies;
+}
+
+namespace {
+
+std::vector<EstimatedFrequency> model_frequencies(const data::Case& problem, TipSupport tip, int count) {
+  constexpr double rounding = 1e-9;  // empirical
+  constexpr int all_modes = 200;
+  std::vector<EstimatedFrequency> frequencies;
+  if (tip == TipSupport::held) {
+    for (const auto& mode : analytic::held_modes(problem, count))
+      frequencies.push_back({mode.angular_frequency / (2.0 * std::numbers::pi), rounding});
+    return frequencies;
+  }
+  analytic::HeldStructure structure = analytic::held_structure(problem, all_modes);
+  structure.damping = {};
+  auto roots =
+      analytic::sliding_eigenvalues(analytic::contact_model(std::move(structure), problem.excitation()), 0.0);
+  std::ranges::sort(roots, {}, [](const auto& root) { return root.imag(); });
+  for (const auto& root : roots)
+    if (static_cast<int>(frequencies.size()) < count)
+      frequencies.push_back({root.imag() / (2.0 * std::numbers::pi), rounding});
+  return frequencies;
+}
+
+}  // namespace
+
+std::vector<EstimatedFrequency> closed_form_frequencies(const data::Case& problem, TipSupport tip,
+                                                        int count) {
+  if (problem.model() != nullptr) return model_frequencies(problem, tip, count);
+  return closed_form_frequencies(problem.beam(), tip, count);
 }
 
 double mesh_frequency_error(const data::Beam& beam, double omega, double element_length) {

@@ -22,6 +22,10 @@ struct EstimatedFrequency {
 [[nodiscard]] std::vector<EstimatedFrequency> closed_form_frequencies(const data::Beam& beam,
                                                                       analytic::TipSupport tip, int count);
 
+/// The same of a case. Of a Model they are those of its matrices, the contact held or free, without damping; at most as many as it has.
+[[nodiscard]] std::vector<EstimatedFrequency> closed_form_frequencies(const data::Case& problem,
+                                                                      analytic::TipSupport tip, int count);
+
 /// Those of the mesh of numerics.elements. The error is the leading one of the elements,
 ///
 ///     [l⁴/(1440 EI) + l²/(24 K)] |∫ q q* dx| / (ω² φ*ᵀ M φ),     q = ρA ω² w - P w'',

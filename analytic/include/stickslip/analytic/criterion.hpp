@@ -31,6 +31,8 @@ struct Criterion {
 /// Throws data::FieldError, naming beam.axial_force, unless 0 < P < P_cr: without compression there is no
 /// contact, at the buckling load no stick state.
 void require_contact(const data::Beam& beam);
+/// The same of a case; a Model always has contact.
+void require_contact(const data::Case& problem);
 
 /// With the first numerics.modes() modes, as in the paper (StickReaction). The reaction is proportional to A0, so that the critical
 /// amplitude follows for any amplitude of the base, zero included. Throws what require_contact() and StickReaction throw.

@@ -44,6 +44,8 @@ class StickReaction {
   [[nodiscard]] Bounds damped_steady() const { return damped_force().steady_bounds(); }
   /// The least damping ratio of the modes that vibrate; 0 without damping.
   [[nodiscard]] double least_damping_ratio() const;
+  /// 1/s, of the free vibration of the kept modes that decays least; 0 without damping, infinite without modes.
+  [[nodiscard]] double slowest_decay() const;
 
  private:
   struct Kept {

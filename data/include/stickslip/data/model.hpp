@@ -36,15 +36,15 @@ struct ModelFile {
 /// M q̈ + C q̇ + K q = F over all degrees of freedom, those of the base included, in a frame at rest. SI units.
 ///
 /// The entries hold both triangles; entries of one place add. q of the rows `base` is h(t), that of `fixed` 0. The contact is at
-/// u_c = Σ w_i q_i with weights of sum 1, and a force f on it is f w_i on each of its rows. Where there is a `load`,
-/// F = F(t) g with the weights g, and the base rests.
+/// u_c = Σ w_i q_i with weights of sum 1, and a force f on it is f w_i on each of its rows. Where the excitation is a force,
+/// F = F(t) g with the weights g of `load`, and the base rests.
 struct StructureMatrices {
   int rows{};
   std::vector<MatrixEntry> mass, stiffness;
   std::vector<MatrixEntry> damping;  ///< empty if none is given
   std::vector<int> base, fixed;
   std::vector<WeightedRow> contact;
-  std::vector<WeightedRow> load;
+  std::vector<WeightedRow> load;  ///< empty if there is none; of one mass, the mass
   std::vector<ModelFile> files;
 };
 

@@ -402,6 +402,7 @@ struct FeatureKey {
   Feature feature{};
   double (*value)(const Case&){};  ///< SI units; `plain` where the case has no such key
   double plain{};
+  bool is_flag{};  ///< true or false, as 1 or 0
 };
 
 /// All of them; two keys may ask for one feature.
