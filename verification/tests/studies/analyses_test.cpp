@@ -73,7 +73,7 @@ TEST(CriterionAnswer, NearestIsBelowOrAbove) {
   const auto modes = analytic::stick_modes(paper_at("35", "1e-3").beam(), 2);  // 24.97 and 81.08 Hz
   for (const auto& [hz, mode] :
        {std::pair<double, int>{5.0, 1}, {27.0, 1}, {53.0, 1}, {53.1, 2}, {90.0, 2}}) {
-    const auto nearest = studies::criterion_answer(paper_at(data::shortest_text(hz), "1e-3")).nearest;
+    const auto nearest = studies::criterion_answer(paper_at(data::shortest_text(hz), "1e-3")).nearest.value();
     EXPECT_EQ(nearest.mode, mode) << hz;
     EXPECT_DOUBLE_EQ(nearest.hz, modes.at(static_cast<std::size_t>(mode) - 1).frequency_hz());
     EXPECT_DOUBLE_EQ(nearest.distance, nearest.hz / hz - 1.0);

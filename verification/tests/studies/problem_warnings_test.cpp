@@ -77,7 +77,8 @@ TEST(ThickBeam, WarnsWhereTimoshenkosDiffers) {
             << mode;
         if (std::abs(error - studies::allowed_model_error) < next) continue;
         const auto warnings =
-            frequency_warnings(beam, slips ? analytic::TipSupport::free : analytic::TipSupport::held, mode);
+            frequency_warnings(with(data::load_case("paper"), beam),
+                               slips ? analytic::TipSupport::free : analytic::TipSupport::held, mode);
         EXPECT_EQ(find(warnings, Concern::thick_beam) != nullptr, error > studies::allowed_model_error)
             << error;
         (find(warnings, Concern::thick_beam) == nullptr ? silent : warned) += 1;
@@ -346,7 +347,7 @@ TEST(DrawBack, HasKnownValuesAndIsWarnedOf) {
     EXPECT_TRUE(
         within(found.bending->draw_back, start_up, reference(0.01 * start_up, "two or three digits")));
     EXPECT_TRUE(within(*found.steady_draw_back, steady, reference(0.01 * steady, "two or three digits")));
-    EXPECT_EQ(studies::draw_back_warning(problem.beam(), found.bending->draw_back).has_value(), is_warned_of);
+    EXPECT_EQ(studies::draw_back_warning(problem, found.bending->draw_back).has_value(), is_warned_of);
     EXPECT_DOUBLE_EQ(studies::spring_that_keeps(problem.beam(), 1e-3), 100.0 * problem.beam().axial_force());
   };
   CaseText strip;
@@ -519,7 +520,7 @@ STICKSLIP_VERIFIES(ProblemWarnings, "X21");
 TEST(ProblemWarnings, OfThePapersCaseAreOne) {
   const data::Case paper = paper_with();
   const auto concerns = [&](analytic::TipSupport tip, int count) {
-    return concerns_of(frequency_warnings(paper.beam(), tip, count));
+    return concerns_of(frequency_warnings(paper, tip, count));
   };
   EXPECT_EQ(concerns_of(criterion_warnings(paper)), std::vector{Concern::resonance});
   EXPECT_EQ(concerns_of(history_warnings(paper, finite_elements())), std::vector<Concern>{});
@@ -572,7 +573,7 @@ TEST(ProblemWarnings, AreOneSentenceEach) {
   for (const auto& [name, title] : data::list_cases()) {
     const data::Case problem = data::load_case(name);
     for (const auto tip : {analytic::TipSupport::held, analytic::TipSupport::free})
-      expect_sentences(frequency_warnings(problem.beam(), tip, 10));
+      expect_sentences(frequency_warnings(problem, tip, 10));
     expect_sentences(criterion_warnings(problem));
     expect_sentences(design_warnings(problem));
     for (const studies::Method& method : studies::methods()) {
