@@ -28,6 +28,16 @@ PrescribedMotion base_motion(const data::Motion& motion) {
                     motion);
 }
 
+PrescribedMotion wall_motion(const data::Case& problem, const PrescribedMotion& base) {
+  const double speed = problem.contact.wall.speed();
+  if (problem.contact.wall.moves_with_base() || problem.excitation().is_force())
+    return {.displacement = [speed](double t) { return speed * t; },
+            .velocity = [speed](double) { return speed; }};
+  return {.displacement = [base, speed](double t) { return speed * t - base.displacement(t); },
+          .velocity = [base, speed](double t) { return speed - base.velocity(t); },
+          .acceleration = [base](double t) { return -base.acceleration(t); }};
+}
+
 double largest_displacement(const data::Motion& motion) {
   return std::visit([](const data::HarmonicExcitation& harmonic) { return harmonic.amplitude(); }, motion);
 }

@@ -12,6 +12,7 @@
 #include "stickslip/solver/decompositions.hpp"
 #include "stickslip/solver/held_tip_basis.hpp"
 #include "stickslip/solver/modal_stick_run.hpp"
+#include "stickslip/solver/model_system.hpp"
 
 namespace stickslip::solver {
 
@@ -56,7 +57,6 @@ ContactSystem beam_contact_system(const BeamModel& model, const data::Case& prob
 
 ContactSystem beam_contact_system(const BeamModel& model, const data::Case& problem,
                                   const PrescribedMotion& base) {
-  const double speed = problem.contact.wall.speed();
   return {.mass = model.mass(),
           .damping = damping_matrix(model, problem.damping),
           .stick_stiffness = model.stick_stiffness(),
@@ -64,12 +64,15 @@ ContactSystem beam_contact_system(const BeamModel& model, const data::Case& prob
           .load_shape = -model.base_load(),
           .load_history = base.acceleration,
           .contact = model.tip_deflection(),
-          .wall = {.displacement = [base, speed](double t) { return speed * t - base.displacement(t); },
-                   .velocity = [base, speed](double t) { return speed - base.velocity(t); },
-                   .acceleration = [base](double t) { return -base.acceleration(t); }},
+          .wall = wall_motion(problem, base),
           .normal_force = std::max(model.beam().axial_force(), 0.0),
           .friction = problem.contact.friction,
           .tangential = problem.contact.compliance};
+}
+
+ContactSystem contact_system(const data::Case& problem, const PrescribedMotion& base) {
+  if (problem.model() != nullptr) return model_contact_system(problem, base);
+  return beam_contact_system(BeamModel(problem.beam(), problem.numerics.elements()), problem, base);
 }
 
 namespace {
@@ -84,6 +87,7 @@ ContactScheme scheme_of(const RunOptions& options) { return options.scheme.value
 
 Coordinates coordinates_of(const data::Case& problem, const RunOptions& options) {
   const ContactScheme scheme = scheme_of(options);
+  if (problem.model() != nullptr) return Coordinates::nodal;
   if (!options.coordinates) return fastest_coordinates(problem.numerics.elements(), problem.damping, scheme);
   if (options.coordinates == Coordinates::nodal) return Coordinates::nodal;
   data::require_undamped(problem.damping, "0 in modal coordinates, which damping would couple");
@@ -126,34 +130,57 @@ BeamModel checked_model(const data::Beam& beam, int elements, bool is_bonded) {
 
 }  // namespace
 
-BeamSimulation::BeamSimulation(const data::Case& problem, const RunOptions& options)
-    : model_(checked_model(problem.beam(), problem.numerics.elements(), options.is_bonded)),
-      base_(base_motion(problem.motion)) {
+BeamSimulation::BeamSimulation(const data::Case& problem, const RunOptions& options) {
+  const PrescribedMotion motion = base_motion(problem.motion);
+  if (!problem.excitation().is_force()) base_ = motion;
   const Coordinates coordinates = coordinates_of(problem, options);
   const IntegratorSettings settings = integrator_settings(problem.numerics, scheme_of(options), coordinates);
-  const Eigen::VectorXd at_rest = Eigen::VectorXd::Zero(model_.degrees_of_freedom());
-  ContactSystem system = beam_contact_system(model_, problem, base_);
-  Eigen::VectorXd velocity = system.wall.velocity(0.0) * model_.unit_tip_deflection();
+  std::optional<ModelMatrices> matrices;
+  if (problem.model() != nullptr)
+    matrices = model_matrices(*problem.model());
+  else
+    model_ = checked_model(problem.beam(), problem.numerics.elements(), options.is_bonded);
+  ContactSystem system = matrices ? model_contact_system(problem, *matrices, motion)
+                                  : beam_contact_system(*model_, problem, motion);
+  const Eigen::VectorXd static_shape = matrices ? matrices->static_shape : model_->unit_tip_deflection();
+  Eigen::VectorXd velocity = system.wall.velocity(0.0) * static_shape;
+  // A structure that moves with the base has u_t = 0 but at the contact.
   if (options.starts_with_the_base)
-    velocity.head(model_.tip_deflection()).setZero(), velocity[model_.tip_rotation()] = 0.0;
+    velocity = Eigen::VectorXd::Unit(velocity.size(), system.contact) * system.wall.velocity(0.0);
   if (coordinates == Coordinates::modal) {
-    const HeldTipBasis basis = held_tip_basis(model_);
-    system = modal_contact_system(model_, basis, std::move(system));
-    basis_.resize(model_.degrees_of_freedom(), model_.degrees_of_freedom());
+    const HeldTipBasis basis = held_tip_basis(*model_);
+    system = modal_contact_system(*model_, basis, std::move(system));
+    basis_.resize(model_->degrees_of_freedom(), model_->degrees_of_freedom());
     basis_ << basis.modes, basis.static_shape;
-    velocity = modal_coordinates(model_, basis, velocity);
+    velocity = modal_coordinates(*model_, basis, velocity);
   }
   require_resolved_spring(problem.contact.compliance,
                           problem.contact.friction.static_coefficient() * system.normal_force,
                           largest_displacement(problem.motion));
   if (options.is_bonded) system.normal_force = bonding_force;
   integrator_ = std::make_unique<StickSlipIntegrator>(std::move(system), settings);
-  midspan_ = weights_at(0.5 * problem.beam().length());
-  integrator_->start_stuck(at_rest, velocity);
+  if (model_) midspan_ = weights_at(0.5 * problem.beam().length());
+  start(problem, velocity, options.is_bonded);
+}
+
+// At rest on the wall, or, one mass, where [initial] says.
+void BeamSimulation::start(const data::Case& problem, Eigen::VectorXd velocity, bool is_bonded) {
+  Eigen::VectorXd displacement = Eigen::VectorXd::Zero(velocity.size());
+  const auto& [position, absolute] = problem.initial;
+  const ContactSystem& system = integrator_->system();
+  const double on_the_wall = system.wall.velocity(0.0) + base_.velocity(0.0);
+  if (is_bonded || problem.initial == data::InitialState())
+    return integrator_->start_stuck(displacement, velocity);
+  displacement[system.contact] = position;
+  velocity[system.contact] = absolute - base_.velocity(0.0);
+  if (absolute == on_the_wall)
+    integrator_->start_stuck(displacement, velocity);
+  else
+    integrator_->start_slipping(displacement, velocity);
 }
 
 Eigen::VectorXd BeamSimulation::weights_at(double x) const {
-  const Eigen::VectorXd nodal = model_.interpolation(x);
+  const Eigen::VectorXd nodal = model().interpolation(x);
   return basis_.size() > 0 ? basis_.transpose() * nodal : nodal;
 }
 
@@ -168,7 +195,7 @@ double BeamSimulation::tip_displacement() const {
 }
 
 double BeamSimulation::midspan_displacement() const {
-  return base_displacement() + midspan_.dot(integrator_->displacement());
+  return model_ ? base_displacement() + midspan_.dot(integrator_->displacement()) : 0.0;
 }
 
 long step_count(double duration, double time_step) { return std::lround(duration / time_step); }
@@ -195,7 +222,7 @@ std::optional<double> first_slip(const data::Case& problem, std::optional<Coordi
   if (problem.contact.compliance.is_rigid() && problem.contact.wall.speed() == 0.0 &&
       coordinates_of(problem, options) == Coordinates::modal &&
       max_abs_friction_force(problem, Coordinates::modal) <
-          (1.0 - margin) * problem.contact.friction.static_coefficient() * problem.beam().axial_force())
+          (1.0 - margin) * problem.contact.friction.static_coefficient() * problem.normal_force())
     return std::nullopt;
   BeamSimulation simulation(problem, options);
   const auto& events = simulation.integrator().events();

@@ -55,8 +55,9 @@ EnergyRecorder::Powers EnergyRecorder::powers(const StickSlipIntegrator& now) co
   const ContactSystem& system = now.system();
   const Eigen::VectorXd& v = now.velocity();
   const double friction_force = now.friction_force();
-  return {.base = system.load_history(now.time()) * system.load_shape.dot(v) +
-                  friction_force * system.wall.velocity(now.time()),
+  Eigen::VectorXd load;
+  system.set_load(now.time(), load);
+  return {.base = load.dot(v) + friction_force * system.wall.velocity(now.time()),
           .follower = -v[system.contact] * follower_row_.dot(now.displacement()),
           .friction = -friction_force * sliding_velocity(now)};
 }

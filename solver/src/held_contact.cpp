@@ -5,11 +5,29 @@
 
 namespace stickslip::solver {
 
+namespace {
+
+// The matrix with ones on the diagonal of rows of zeros: degrees of freedom without mass have no inertia to share.
+SparseMatrix filled(const SparseMatrix& mass) {
+  Eigen::VectorXd sums = Eigen::VectorXd::Zero(mass.rows());
+  for (Eigen::Index column = 0; column < mass.outerSize(); ++column)
+    for (SparseMatrix::InnerIterator entry(mass, column); entry; ++entry)
+      sums[entry.row()] += std::abs(entry.value());
+  SparseMatrix result = mass;
+  for (Eigen::Index row = 0; row < sums.size(); ++row)
+    if (sums[row] == 0.0) result.coeffRef(row, row) = 1.0;
+  result.makeCompressed();
+  return result;
+}
+
+}  // namespace
+
 HeldContact::HeldContact(const ContactSystem& system) : system_(system) {
   const Eigen::Index c = system.contact;
-  const SparseCholesky constrained_mass(constrained(system.mass, c));
-  if (!is_positive_definite(SparseCholesky(system.mass)) || !is_positive_definite(constrained_mass))
-    throw data::InputError("the mass matrix is not positive definite");
+  const SparseMatrix mass = filled(system.mass);
+  const SparseCholesky constrained_mass(constrained(mass, c));
+  if (!is_positive_definite(SparseCholesky(mass)) || !is_positive_definite(constrained_mass))
+    throw data::InputError("the mass matrix is not positive definite, but for rows of zeros");
 
   // λ = M_ff⁻¹ M_fc, zero at c: what the contact's acceleration does to the others.
   Eigen::VectorXd lambda = Eigen::VectorXd(system.mass.col(c));
@@ -20,7 +38,9 @@ HeldContact::HeldContact(const ContactSystem& system) : system_(system) {
   };
   displacement_factors_ = contact_row(system.slip_stiffness) - system.stick_stiffness.transpose() * lambda;
   velocity_factors_ = contact_row(system.damping) - system.damping.transpose() * lambda;
-  load_factor_ = lambda.dot(system.load_shape) - system.load_shape[c];
+  const auto factor = [&](const Eigen::VectorXd& load) { return lambda.dot(load) - load[c]; };
+  load_factor_ = factor(system.load_shape);
+  for (const ContactSystem::Load& load : system.further_loads) further_factors_.push_back(factor(load.shape));
   mass_ = system.mass.coeff(c, c) - lambda.dot(Eigen::VectorXd(system.mass.col(c)));
   impulse_response_ = -lambda;
   impulse_response_[c] = 1.0;
@@ -32,8 +52,11 @@ double HeldContact::sliding_velocity(const Kinematics& state, double t) const {
 }
 
 double HeldContact::holding_force(const Kinematics& state, double t) const {
-  return displacement_factors_.dot(state.displacement) + velocity_factors_.dot(state.velocity) +
-         load_factor_ * system_.load_history(t) + mass_ * system_.wall.acceleration(t);
+  double force = displacement_factors_.dot(state.displacement) + velocity_factors_.dot(state.velocity) +
+                 load_factor_ * system_.load_history(t) + mass_ * system_.wall.acceleration(t);
+  for (std::size_t i = 0; i < further_factors_.size(); ++i)
+    force += further_factors_[i] * system_.further_loads[i].history(t);
+  return force;
 }
 
 void HeldContact::remove_sliding_velocity(Kinematics& state, double t) const {

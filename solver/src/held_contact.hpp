@@ -18,7 +18,7 @@ class HeldContact {
   [[nodiscard]] double sliding_velocity(const Kinematics& state, double t) const;
 
   /// The friction force that gives the contact the acceleration of the wall, N,
-  /// f_d = r_q · q + r_v · v + r_s s(t) + m_c ẅ(t).
+  /// f_d = r_q · q + r_v · v + r_s s(t) + m_c ẅ(t), with a term r_s s for each further load.
   [[nodiscard]] double holding_force(const Kinematics& state, double t) const;
 
   /// v <- v - M⁻¹ e_c m_c v_s: the contact takes the velocity of the wall by an impulse at it alone.
@@ -29,7 +29,7 @@ class HeldContact {
     return holding_force(state, t) - damping_ * sliding_velocity(state, t);
   }
 
-  /// m_c = 1/(e_c . M⁻¹ e_c), kg.
+  /// m_c = 1/(e_c . M⁻¹ e_c), kg; 0 for a contact without mass.
   [[nodiscard]] double mass() const noexcept { return mass_; }
 
  private:
@@ -37,6 +37,7 @@ class HeldContact {
   Eigen::VectorXd impulse_response_;                         // m_c M⁻¹ e_c
   Eigen::VectorXd displacement_factors_, velocity_factors_;  // r_q, r_v
   double load_factor_{}, mass_{}, damping_{};                // r_s, m_c, c_c
+  std::vector<double> further_factors_;                      // r_s of the further loads
 };
 
 }  // namespace stickslip::solver

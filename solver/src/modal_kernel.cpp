@@ -72,6 +72,7 @@ ModalKernel::ModalKernel(const ContactSystem& system, const FrictionContact& con
       sparse_(make_sparse_kernel(system, contact, method, time_step)),
       modes_(system.mass.rows() - 1) {
   require_modal_form(system);
+  if (!system.further_loads.empty()) throw std::invalid_argument("modal coordinates take one load");
   const Eigen::Index c = system.contact;
   stiffness_ = Eigen::VectorXd(system.stick_stiffness.diagonal()).head(modes_).array();
   coupling_ = Eigen::VectorXd(system.mass.col(c)).head(modes_).array();

@@ -133,7 +133,7 @@ void SparseKernel::take_stick_step(StepMatrices& step, double wall_offset, doubl
   for (auto* z : {&state.displacement, &state.velocity, &state.acceleration}) (*z)[system_.contact] = 0.0;
   method_.predict(state, h, alpha_level_);
 
-  residual_.noalias() = system_.load_history(load_time) * system_.load_shape;
+  system_.set_load(load_time, residual_);
   subtract_static_shape_inertia(load_time);
   subtract_internal_forces(system_.stick_stiffness);
   residual_[system_.contact] = 0.0;
@@ -149,7 +149,7 @@ void SparseKernel::take_slip_step(StepMatrices& step, const StepPhase& phase, do
   const double load_time = method_.load_time(time, h);
   method_.predict(state, h, alpha_level_);
 
-  residual_.noalias() = system_.load_history(load_time) * system_.load_shape;
+  system_.set_load(load_time, residual_);
   subtract_internal_forces(system_.slip_stiffness);
   new_acceleration_ = slip_matrix(step).solve(residual_);
 
@@ -163,7 +163,7 @@ void SparseKernel::take_slip_step(StepMatrices& step, const StepPhase& phase, do
 void SparseKernel::restart(const StepPhase& phase, double time, Kinematics& now) {
   alpha_level_ = now;
   alpha_level_.acceleration.setZero();
-  residual_.noalias() = system_.load_history(time) * system_.load_shape;
+  system_.set_load(time, residual_);
   if (!is_held(phase)) {
     const Eigen::Index c = system_.contact;
     subtract_internal_forces(system_.slip_stiffness);

@@ -32,6 +32,8 @@ ContactSystem consistent(ContactSystem system) {
     require_size(matrix->cols(), n, name);
   }
   require_size(system.load_shape.size(), n, "load_shape");
+  for (const ContactSystem::Load& load : system.further_loads)
+    require_size(load.shape.size(), n, "the shape of a further load");
   if (system.contact < 0 || system.contact >= n)
     throw std::invalid_argument("contact is " + std::to_string(system.contact) +
                                 ", but must be a degree of freedom, 0 ... " + std::to_string(n - 1));

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "stickslip/analytic/stick_reaction.hpp"
+#include "stickslip/solver/base_motion.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "studies/analyses/criterion_answer.hpp"
 #include "studies/analyses/squeal.hpp"
@@ -278,45 +279,64 @@ std::vector<Warning> history_warnings(const data::Case& problem, const Method& m
   return warnings;
 }
 
+namespace {
+
+// The contact of a run as the search for σ* sees it; nothing if it has no mass.
+std::optional<LinearContact> contact_of_run(const data::Case& problem, bool stepped) {
+  const data::NumericalSettings& numerics = problem.numerics;
+  if (!stepped) return continuous_contact(analytic::contact_model(problem, numerics.modes()));
+  const auto system = solver::contact_system(problem, solver::base_motion(problem.motion));
+  if (system.mass.diagonal().minCoeff() <= 0.0) return std::nullopt;
+  return stepped_contact(solver::ContactMobility(system), numerics.time_step(), numerics.spectral_radius());
+}
+
+std::string growth_rate(double value) {
+  return value < 100.0 ? fmt::format("{:.3g} 1/s", value) : fmt::format("{:.0f} 1/s", value);
+}
+
+// What the beam itself has of that growth.
+std::string growth_of_beam(const data::Case& problem, double run_bound, double allowed) {
+  if (problem.model() != nullptr) return "";
+  const double beam_bound =
+      beam_growth_bound(with(problem, without_shear(problem.beam()),
+                             data::Damping({.kelvin_voigt = problem.damping.kelvin_voigt()})));
+  const bool is_beam_known = problem.damping.is_kelvin_voigt();
+  std::string sentence = fmt::format("; for the {} sigma* is {}", is_beam_known ? "beam" : "undamped beam",
+                                     growth_rate(beam_bound));
+  if (run_bound > 1.1 * beam_bound)
+    sentence += fmt::format(
+        ", about as with numerics.spectral_radius = 0, time_step = {:.2g} s, elements = {}",
+        two_digits(time_step_of({.angle = filtering_angle}, problem.beam(), problem.numerics.elements())),
+        problem.numerics.elements());
+  if (beam_bound > allowed && is_beam_known)
+    sentence += fmt::format("; beyond {:.2g} s the bound is of no use for any discretisation",
+                            allowed_growth / beam_bound);
+  return sentence;
+}
+
+}  // namespace
+
 std::optional<Warning> growth_warning(const data::Case& problem, const Method& method) {
   const data::NumericalSettings& numerics = problem.numerics;
   const bool stepped = method.basis == Basis::elements;
   if (!method.follows_slip() || method.basis == Basis::whole_beam) return std::nullopt;
   if (problem.contact.compliance.has_spring()) return std::nullopt;  // σ* is that of a law without memory
-  if ((stepped ? numerics.elements() : numerics.modes()) >
+  const int elements =
+      problem.model() != nullptr ? problem.model()->matrices().rows / 2 : numerics.elements();
+  if ((stepped ? elements : numerics.modes()) >
       (!problem.is_damped() ? most_undamped_for_growth : most_damped_for_growth))
     return std::nullopt;
-  const auto contact = [&] {
-    if (!stepped) return continuous_contact(analytic::contact_model(problem, numerics.modes()));
-    const auto system =
-        solver::beam_contact_system(solver::BeamModel(problem.beam(), numerics.elements()), problem);
-    return stepped_contact(solver::ContactMobility(system), numerics.time_step(), numerics.spectral_radius());
-  }();
+  const auto contact = contact_of_run(problem, stepped);
+  if (!contact) return std::nullopt;
   const double kappa = weakening(problem.contact.friction, problem.normal_force());
   const double allowed = allowed_growth / numerics.duration();
-  if (grows_at_most(contact, kappa, allowed)) return std::nullopt;
-  const double run_bound = growth_bound(contact, kappa);
-  const double beam_bound =
-      beam_growth_bound(with(problem, without_shear(problem.beam()),
-                             data::Damping({.kelvin_voigt = problem.damping.kelvin_voigt()})));
-  const auto rate = [](double value) {
-    return value < 100.0 ? fmt::format("{:.3g} 1/s", value) : fmt::format("{:.0f} 1/s", value);
-  };
-  const bool is_beam_known = problem.damping.is_kelvin_voigt();
-  std::string sentence = fmt::format(
-      "the contact changes, and sigma* is {}: by the bound exp(sigma* t) a rounding error may grow to the "
-      "size of the motion within {:.2g} s; for the {} sigma* is {}",
-      rate(run_bound), allowed_growth / run_bound, is_beam_known ? "beam" : "undamped beam",
-      rate(beam_bound));
-  if (run_bound > 1.1 * beam_bound)
-    sentence +=
-        fmt::format(", about as with numerics.spectral_radius = 0, time_step = {:.2g} s, elements = {}",
-                    two_digits(time_step_of({.angle = filtering_angle}, problem.beam(), numerics.elements())),
-                    numerics.elements());
-  if (beam_bound > allowed && is_beam_known)
-    sentence += fmt::format("; beyond {:.2g} s the bound is of no use for any discretisation",
-                            allowed_growth / beam_bound);
-  return Warning{Concern::growth, run_bound, allowed, sentence};
+  if (grows_at_most(*contact, kappa, allowed)) return std::nullopt;
+  const double run_bound = growth_bound(*contact, kappa);
+  return Warning{Concern::growth, run_bound, allowed,
+                 fmt::format("the contact changes, and sigma* is {}: by the bound exp(sigma* t) a rounding "
+                             "error may grow to the size of the motion within {:.2g} s{}",
+                             growth_rate(run_bound), allowed_growth / run_bound,
+                             growth_of_beam(problem, run_bound, allowed))};
 }
 
 namespace {

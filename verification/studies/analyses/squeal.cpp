@@ -28,18 +28,22 @@ void require_moving_wall(const data::Case& problem) {
   throw data::FieldError("wall.speed", "0", "other than 0 (m/s), or nothing slides steadily");
 }
 
-void require_dense_mesh(const data::NumericalSettings& numerics) {
+void require_dense_mesh(const data::Case& problem) {
   constexpr int most_elements = 200;
+  const data::NumericalSettings& numerics = problem.numerics;
+  if (problem.model() != nullptr) {
+    if (problem.model()->matrices().rows <= 2 * most_elements) return;
+    throw data::FieldError("model.stiffness_matrix",
+                           fmt::format("of {} rows", problem.model()->matrices().rows),
+                           "of at most 400 rows here: the eigenvalues of sliding take full matrices");
+  }
   if (numerics.elements() <= most_elements) return;
   throw data::FieldError("numerics.elements", numerics.elements(),
                          "at most 200 here: the eigenvalues of sliding take full matrices");
 }
 
-// The slip state as it slides.
-solver::ContactSystem mesh_of(const data::Case& problem, int elements) {
-  const solver::PrescribedMotion base_at_rest;
-  return solver::beam_contact_system(solver::BeamModel(problem.beam(), elements), problem, base_at_rest);
-}
+// The slip state as it slides, on a base at rest.
+solver::ContactSystem mesh_of(const data::Case& problem) { return solver::contact_system(problem, {}); }
 
 SquealMode mode_of(const data::Case& problem, const analytic::SlidingMode& mode,
                    const std::vector<Complex>& eigenvalues) {
@@ -82,9 +86,9 @@ std::optional<Complex> judge(const std::vector<Complex>& eigenvalues, Squeal& sq
 
 // The eigenvalue of slip at the axial force that grows most in a period.
 Complex fastest_slip(const data::Case& problem, double axial_force) {
-  const auto eigenvalues =
-      solver::sliding_eigenvalues(mesh_of(with_value(problem, "beam.axial_force", axial_force), 10),
-                                  -problem.contact.friction.viscous() * axial_force);
+  const auto eigenvalues = solver::sliding_eigenvalues(
+      mesh_of(with_values(problem, {{"beam.axial_force", axial_force}, {"numerics.elements", 10.0}})),
+      -problem.contact.friction.viscous() * axial_force);
   return *std::ranges::max_element(eigenvalues, {}, [](Complex s) { return s.real() / std::abs(s); });
 }
 
@@ -105,6 +109,7 @@ std::optional<SlipInstability> slip_instability(const data::Case& problem) {
 }
 
 double resolved_frequency(const data::Case& problem) {
+  if (problem.model() != nullptr) return std::numeric_limits<double>::infinity();
   constexpr double allowed_error = 0.01;
   const double element = problem.beam().length() / problem.numerics.elements();
   return std::sqrt(allowed_error / mesh_frequency_error(problem.beam(), 1.0, element)) / two_pi;
@@ -112,11 +117,11 @@ double resolved_frequency(const data::Case& problem) {
 
 Squeal squeal_of(const data::Case& problem, int modes) {
   require_moving_wall(problem);
-  require_dense_mesh(problem.numerics);
+  require_dense_mesh(problem);
   const analytic::ContactModel model = response_model(problem);
   std::vector<double> frequencies;
-  for (const auto& mode : analytic::slip_modes(problem.beam(), modes))
-    frequencies.push_back(mode.angular_frequency());
+  for (const auto& [hz, error] : closed_form_frequencies(problem, analytic::TipSupport::free, modes))
+    frequencies.push_back(two_pi * hz);
   const auto steady =
       analytic::steady_sliding(problem.beam(), problem.contact.friction, problem.contact.wall);
   Squeal squeal{.speed = problem.contact.wall.speed(),
@@ -125,13 +130,13 @@ Squeal squeal_of(const data::Case& problem, int modes) {
                 .friction_force = steady.friction_force,
                 .tip_displacement = steady.tip_displacement,
                 .finite_element_displacement = {},
-                .all_modes = problem.damping.is_kelvin_voigt(),
+                .all_modes = problem.model() == nullptr && problem.damping.is_kelvin_voigt(),
                 .modes = {},
                 .resolved_modes = 0,
                 .resolved_hz = resolved_frequency(problem),
                 .fastest = {-std::numeric_limits<double>::infinity(), 0.0},
                 .unresolved_mode_grows = false};
-  const solver::ContactSystem mesh = mesh_of(problem, problem.numerics.elements());
+  const solver::ContactSystem mesh = mesh_of(problem);
   squeal.finite_element_displacement = solver::steady_contact_displacement(mesh, steady.friction_force);
   const auto eigenvalues = solver::sliding_eigenvalues(mesh, solver::falling_slope(mesh));
   const auto real_root = judge(eigenvalues, squeal);
@@ -224,8 +229,7 @@ Cycle cycle_of(const data::Case& problem, int periods, int settle) {
   } else {
     if (problem.contact.wall.speed() == 0.0)
       throw data::FieldError("excitation.amplitude", "0", "above 0 (m) where wall.speed is 0: nothing moves");
-    const double period =
-        2.0 * std::numbers::pi / analytic::slip_modes(problem.beam(), 1).front().angular_frequency();
+    const double period = 1.0 / closed_form_frequencies(problem, analytic::TipSupport::free, 1).front().hz;
     cycle.search = analytic::self_excited_motion(model, settle * period, period / 200.0);
   }
   if (cycle.search.motion) measure(model, *cycle.search.motion, cycle);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <utility>
 
+#include "stickslip/solver/base_motion.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "studies/history/method.hpp"
 
@@ -38,7 +39,12 @@ History finite_element_history(const data::Case& problem, const Sampling& sampli
     add_row(problem, history, sink, std::move(row));
   }));
   auto events = simulation.integrator().events();
-  for (auto& event : events) event.position += problem.contact.wall.speed() * event.time;
+  // Positions on the wall become positions in the frame at rest.
+  const data::Wall& wall = problem.contact.wall;
+  const solver::PrescribedMotion base = solver::base_motion(problem.motion);
+  for (auto& event : events)
+    event.position +=
+        wall.speed() * event.time + (wall.moves_with_base() ? base.displacement(event.time) : 0.0);
   set_events(history, std::move(events));
   return history;
 }

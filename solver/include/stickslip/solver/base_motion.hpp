@@ -12,6 +12,10 @@ namespace stickslip::solver {
 /// The motion h(t) of the base with its derivatives. Harmonic: h = A0 sin(Ω t), Ω = 2 π frequency_hz.
 [[nodiscard]] PrescribedMotion base_motion(const data::Motion& motion);
 
+/// The wall of a case in coordinates that move with the base: V t - h, or V t where it belongs to the base or where the excitation is
+/// a force.
+[[nodiscard]] PrescribedMotion wall_motion(const data::Case& problem, const PrescribedMotion& base);
+
 /// max |h|, m.
 [[nodiscard]] double largest_displacement(const data::Motion& motion);
 

@@ -50,9 +50,13 @@ struct RunOptions {
 [[nodiscard]] ContactSystem beam_contact_system(const BeamModel& model, const data::Case& problem,
                                                 const PrescribedMotion& base);
 
-/// The beam of a case by finite elements, started with its tip at rest on the wall; integrator() steps it through
-/// time. Displacements are absolute (y = h + u); friction_force() has the sign of Eq. (28), f = EI u'''(L) +
-/// χ P u'(L) = -f_d.
+/// The structure of a case on a base that moves by h(t) = `base`: the beam on numerics.elements, or the model. Throws what
+/// damping_matrix() and model_matrices() throw.
+[[nodiscard]] ContactSystem contact_system(const data::Case& problem, const PrescribedMotion& base);
+
+/// The structure of a case in time steps: a beam by finite elements, a model by its matrices. Started with its contact, the tip of a
+/// beam, at rest on the wall, or as `initial` of the case says; integrator() steps it through time. Displacements are absolute
+/// (y = h + u); friction_force() has the sign of Eq. (28), f = EI u'''(L) + χ P u'(L) = -f_d.
 class BeamSimulation {
  public:
   /// Of the numerics, uses elements, time_step, spectral_radius and velocity_threshold. Throws what damping_matrix()
@@ -67,19 +71,22 @@ class BeamSimulation {
   /// Throws std::logic_error for Coordinates::modal with ContactScheme::paper.
   explicit BeamSimulation(const data::Case& problem, const RunOptions& options = {});
 
-  [[nodiscard]] double base_displacement() const;                                         ///< h, m
-  [[nodiscard]] double displacement(double x) const;                                      ///< y(x), m
-  [[nodiscard]] double tip_displacement() const;                                          ///< y(L), m
-  [[nodiscard]] double midspan_displacement() const;                                      ///< y(L/2), m
+  [[nodiscard]] double base_displacement() const;     ///< h, m; 0 where the excitation is a force
+  [[nodiscard]] double displacement(double x) const;  ///< y(x) of a beam, m
+  [[nodiscard]] double tip_displacement() const;      ///< y(L) of a beam, y of the contact of a model, m
+  [[nodiscard]] double midspan_displacement() const;  ///< y(L/2) of a beam, m; else 0
   [[nodiscard]] double friction_force() const { return -integrator_->friction_force(); }  ///< f, N
-  [[nodiscard]] const BeamModel& model() const noexcept { return model_; }
+  /// Of a beam.
+  [[nodiscard]] const BeamModel& model() const { return model_.value(); }
   /// Of the beam's ContactSystem: time, steps, events. Its sliding velocity is v_s = y_t(L) - V.
   [[nodiscard]] StickSlipIntegrator& integrator() noexcept { return *integrator_; }
   [[nodiscard]] const StickSlipIntegrator& integrator() const noexcept { return *integrator_; }
 
  private:
-  BeamModel model_;
-  PrescribedMotion base_;
+  void start(const data::Case& problem, Eigen::VectorXd velocity, bool is_bonded);
+
+  std::optional<BeamModel> model_;  // of a beam
+  PrescribedMotion base_;           // in m; at rest where the excitation is a force
   std::unique_ptr<StickSlipIntegrator> integrator_;
   Eigen::MatrixXd basis_;  // of modal coordinates, q = basis_ z; else empty
   Eigen::VectorXd midspan_;

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <functional>
 #include <limits>
+#include <vector>
 
 #include "stickslip/data/problem.hpp"
 #include "stickslip/solver/beam_model.hpp"
@@ -22,7 +23,7 @@ constexpr double bonding_force = std::numeric_limits<double>::infinity();
 
 /// A linear system with one frictional contact on one degree of freedom c:
 ///
-///     M q̈ + C q̇ + K q = p s(t) + e_c f_d,        v_s = q̇[c] - ẇ(t).
+///     M q̈ + C q̇ + K q = p s(t) + Σ_i p_i s_i(t) + e_c f_d,        v_s = q̇[c] - ẇ(t).
 ///
 /// v_s is the sliding velocity relative to a wall that moves by w(t) in the coordinates of q; f_d is the friction
 /// force on the system.
@@ -32,7 +33,13 @@ constexpr double bonding_force = std::numeric_limits<double>::infinity();
 ///
 /// The row of c of the slip-state balance then yields f_d, which may not exceed μ_s N.
 struct ContactSystem {
-  SparseMatrix mass;                           ///< M, symmetric positive definite
+  /// p_i and s_i, as p and s.
+  struct Load {
+    Eigen::VectorXd shape;
+    std::function<double(double)> history;
+  };
+
+  SparseMatrix mass;                           ///< M, symmetric positive definite but for rows of zeros
   SparseMatrix damping;                        ///< C
   SparseMatrix stick_stiffness;                ///< K_stick
   SparseMatrix slip_stiffness;                 ///< K_slip, may be unsymmetric
@@ -43,6 +50,13 @@ struct ContactSystem {
   double normal_force{};                       ///< N, newton, ≥ 0; or bonding_force
   data::FrictionLaw friction;
   data::TangentialContact tangential{};  ///< a spring or a smooth law takes the place of stick
+  std::vector<Load> further_loads{};
+
+  /// p s(t) + Σ_i p_i s_i(t).
+  void set_load(double t, Eigen::VectorXd& load) const {
+    load.noalias() = load_history(t) * load_shape;
+    for (const Load& further : further_loads) load += further.history(t) * further.shape;
+  }
 };
 
 /// μ(v) = μ_m + (μ_s - μ_m) exp(-α |v|) + β |v|, Eq. (7) with a viscous term, v in m/s. α must be
