@@ -7,7 +7,7 @@
 build_packages=(
   g++ cmake ninja-build
   libeigen3-dev libgsl-dev libtomlplusplus-dev libcli11-dev libfmt-dev nlohmann-json3-dev
-  libfftw3-dev libssl-dev zlib1g-dev pkgconf libpugixml-dev libflint-arb-dev libflint-dev help2man
+  libfftw3-dev liblapacke-dev libarpack2-dev libsuitesparse-dev libssl-dev zlib1g-dev pkgconf libpugixml-dev libflint-arb-dev libflint-dev help2man
 )
 
 # What draws a figure; the tests draw some.

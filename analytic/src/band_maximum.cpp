@@ -44,7 +44,7 @@ void BandMaximum::divide(const FrequencyBand& band, const std::vector<double>& n
           "finite and not below band.from_hz");
   require_positive("excitation.duration", duration_);
   const double from = best_omega_ = kTwoPi * band.from_hz, to = kTwoPi * band.to_hz;
-  order_ = static_cast<double>(band.held);
+  order_ = data::derivatives(band.held);
   marks_.push_back(from);
   for (const double omega : natural)
     if (from < omega && omega < to) marks_.push_back(omega);
@@ -209,8 +209,10 @@ BandMaximum::Suprema BandMaximum::between(double from, double to) const {
 
 BandMaximum::Suprema BandMaximum::undamped_between(double from, double to) const {
   const double t = duration_, a = from, b = to, middle = 0.5 * (a + b);
-  double steady = reaction_.quasi_static;        // amplitude at Ω in the middle, of the modes apart
-  double steady_slope = 0.0, steady_bend = 0.0;  // sums of |c p'| and |c p''|
+  double steady =
+      reaction_.quasi_static + reaction_.inertia * middle * middle;  // at Ω in the middle, of the modes apart
+  double steady_slope = 2.0 * std::abs(reaction_.inertia) * b;       // sums of |c p'| and |c p''|
+  double steady_bend = 2.0 * std::abs(reaction_.inertia);
   Suprema sum;
   for (const ModalForce& mode : reaction_.modes) {
     const double w = mode.angular_frequency, c = std::abs(mode.coefficient);

@@ -157,13 +157,7 @@ BeamBoundaryIntegral::BeamBoundaryIntegral(const data::Case& problem, const Time
 }
 
 std::vector<double> BeamBoundaryIntegral::tip_displacement(std::size_t every) const {
-  std::vector<double> values{0.0};
-  double position = 0.0;
-  for (std::size_t n = 1; n <= steps_.size(); ++n) {
-    position += grid_.time_step * steps_[n - 1].sliding_velocity;
-    if (n % every == 0) values.push_back(position);
-  }
-  return values;
+  return contact_positions(steps_, grid_.time_step, every);
 }
 
 std::vector<double> BeamBoundaryIntegral::displacement(double x, std::size_t every) const {

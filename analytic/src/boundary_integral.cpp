@@ -327,4 +327,15 @@ std::vector<ContactStep> contact_steps(const std::vector<double>& weights, const
   return steps;
 }
 
+std::vector<double> contact_positions(const std::vector<ContactStep>& steps, double time_step,
+                                      std::size_t every) {
+  std::vector<double> values{0.0};
+  double position = 0.0;
+  for (std::size_t n = 1; n <= steps.size(); ++n) {
+    position += time_step * steps[n - 1].sliding_velocity;
+    if (n % every == 0) values.push_back(position);
+  }
+  return values;
+}
+
 }  // namespace stickslip::analytic

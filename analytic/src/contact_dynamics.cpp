@@ -44,6 +44,25 @@ std::vector<double> flat(const ContactKinematics& state) {
   return x;
 }
 
+double HeldStructure::free_mass() const noexcept {
+  constexpr double rounding = 1e-13;
+  const double mass = contact_mass - dot(mass_coupling, mass_coupling);
+  return std::abs(mass) <= rounding * contact_mass ? 0.0 : mass;
+}
+
+bool HeldStructure::is_uncoupled() const noexcept {
+  for (std::size_t n = 0; n < modes() && !damping.empty(); ++n)
+    for (std::size_t k = 0; k < modes(); ++k)
+      if (n != k && damping(n, k) != 0.0) return false;
+  return true;
+}
+
+void require_free_mass(const HeldStructure& structure) {
+  if (structure.free_mass() > 0.0) return;
+  throw data::FieldError("model.mass_matrix", "0 at the contact",
+                         "above 0 there for this; methods in time steps (fe, boundary-integral) do without");
+}
+
 void require_consistent(const ContactModel& model) {
   const std::size_t m = model.modes();
   for (const double omega : model.angular_frequency)
@@ -51,12 +70,14 @@ void require_consistent(const ContactModel& model) {
   require_size(model.mass_coupling.size(), m, "mass_coupling");
   require_size(model.follower.size(), m, "follower");
   require_size(model.load.size(), m + 1, "load");
+  if (!model.load_cosine.empty()) require_size(model.load_cosine.size(), m + 1, "load_cosine");
   if (!model.damping.empty()) {
     require_size(model.damping.rows(), m + 1, "damping's columns");
     require_size(model.damping.columns(), m + 1, "damping's rows");
   }
   for (const auto& [values, name] : {std::pair{std::span(model.follower), "follower"},
                                      {std::span(model.load), "load"},
+                                     {std::span(model.load_cosine), "load_cosine"},
                                      {std::span(model.damping.values()), "damping"},
                                      {std::span(&model.contact_stiffness, 1), "contact_stiffness"},
                                      {std::span(&model.contact_follower, 1), "contact_follower"},
@@ -64,9 +85,9 @@ void require_consistent(const ContactModel& model) {
                                      {std::span(&model.wall_amplitude, 1), "wall_amplitude"},
                                      {std::span(&model.wall_speed, 1), "wall_speed"}})
     require_finite(values, name);
-  const double free_mass = model.contact_mass - dot(model.mass_coupling, model.mass_coupling);
-  require(std::isfinite(free_mass) && free_mass > 0.0, "contact_mass - mass_coupling . mass_coupling",
-          free_mass, "above 0 (kg)");
+  const double free_mass = model.free_mass();
+  require(std::isfinite(free_mass) && free_mass >= 0.0, "contact_mass - mass_coupling . mass_coupling",
+          free_mass, "0 or more (kg)");
   const double omega = model.load_angular_frequency;
   require(std::isfinite(omega) && omega > 0.0, "load_angular_frequency", omega, "above 0 (rad/s)");
   require(std::isfinite(model.normal_force) && model.normal_force >= 0.0, "normal_force", model.normal_force,
@@ -75,7 +96,7 @@ void require_consistent(const ContactModel& model) {
 
 ContactDynamics::ContactDynamics(const ContactModel& model) : model_(model) {
   require_consistent(model_);
-  free_mass_ = model_.contact_mass - dot(model_.mass_coupling, model_.mass_coupling);
+  free_mass_ = model_.free_mass();
   if (model_.damping.empty()) return;
   const std::size_t rows = modes() + 1;
   column_length_ = (rows + kTogether - 1) / kTogether * kTogether;
@@ -90,38 +111,43 @@ double ContactDynamics::fastest() const {
   return fastest;
 }
 
-double ContactDynamics::load(double t) const { return std::sin(model_.load_angular_frequency * t); }
+LoadFactors ContactDynamics::load(double t) const {
+  return {std::sin(model_.load_angular_frequency * t), std::cos(model_.load_angular_frequency * t)};
+}
 
-double ContactDynamics::load_rate(double t) const {
-  return model_.load_angular_frequency * std::cos(model_.load_angular_frequency * t);
+LoadFactors ContactDynamics::load_rate(double t) const {
+  const double omega = model_.load_angular_frequency;
+  return {omega * std::cos(omega * t), -omega * std::sin(omega * t)};
 }
 
 double ContactDynamics::wall_displacement(double t) const {
-  return model_.wall_amplitude * load(t) + model_.wall_speed * t;
+  return model_.wall_amplitude * load(t).sine + model_.wall_speed * t;
 }
 
 double ContactDynamics::wall_velocity(double t) const {
   if (model_.wall_amplitude == 0.0) return model_.wall_speed;
-  return model_.wall_amplitude * load_rate(t) + model_.wall_speed;
+  return model_.wall_amplitude * load_rate(t).sine + model_.wall_speed;
 }
 
 double ContactDynamics::wall_acceleration(double t) const {
-  return -std::pow(model_.load_angular_frequency, 2) * (model_.wall_amplitude * load(t));
+  return -std::pow(model_.load_angular_frequency, 2) * (model_.wall_amplitude * load(t).sine);
 }
 
 double ContactDynamics::wall_jerk(double t) const {
-  return -std::pow(model_.load_angular_frequency, 2) * (model_.wall_amplitude * load_rate(t));
+  return -std::pow(model_.load_angular_frequency, 2) * (model_.wall_amplitude * load_rate(t).sine);
 }
 
-double ContactDynamics::accelerate(const KinematicsView& state, double s, double f,
-                                   std::span<double> modal) const {
+double ContactDynamics::push(const KinematicsView& state, const LoadFactors& load, double f,
+                             std::span<double> modal) const {
   const std::size_t m = modes();
-  double contact =
-      model_.load[m] * s + f - held_stiffness() * state.displacement - dot(model_.follower, state.amplitudes);
+  double contact = model_.load[m] * load.sine + f - held_stiffness() * state.displacement -
+                   dot(model_.follower, state.amplitudes);
   for (std::size_t n = 0; n < m; ++n) {
     const double omega = model_.angular_frequency[n];
-    modal[n] = model_.load[n] * s - omega * omega * state.amplitudes[n];
+    modal[n] = model_.load[n] * load.sine - omega * omega * state.amplitudes[n];
   }
+  if (!model_.load_cosine.empty())
+    for (std::size_t n = 0; n <= m; ++n) (n < m ? modal[n] : contact) += model_.load_cosine[n] * load.cosine;
   if (!model_.damping.empty()) {
     // Four rows at a time, whose sums do not wait for each other; each adds up as a dot product does.
     for (std::size_t n = 0; n <= m; n += kTogether) {
@@ -135,22 +161,31 @@ double ContactDynamics::accelerate(const KinematicsView& state, double s, double
       for (std::size_t i = 0; i < rows; ++i) (n + i < m ? modal[n + i] : contact) -= loss[i];
     }
   }
-  const double acceleration = (contact - dot(model_.mass_coupling, modal)) / free_mass_;
-  for (std::size_t n = 0; n < m; ++n) modal[n] -= model_.mass_coupling[n] * acceleration;
+  return contact - dot(model_.mass_coupling, modal);
+}
+
+double ContactDynamics::accelerate(const KinematicsView& state, const LoadFactors& load, double f,
+                                   std::span<double> modal) const {
+  const double acceleration = push(state, load, f, modal) / free_mass_;
+  for (std::size_t n = 0; n < modes(); ++n) modal[n] -= model_.mass_coupling[n] * acceleration;
   return acceleration;
 }
 
 double ContactDynamics::holding_force(const KinematicsView& state, double t) const {
   std::vector<double> modal(modes());
-  return free_mass_ * (wall_acceleration(t) - accelerate(state, load(t), model_.contact_force, modal));
+  return free_mass_ * wall_acceleration(t) - push(state, load(t), model_.contact_force, modal);
 }
 
 Powers ContactDynamics::powers(const KinematicsView& state, double t, double friction_force) const {
   const std::size_t m = modes();
   Powers powers;
+  const LoadFactors factors = load(t);
   powers.base =
-      load(t) * (dot(std::span(model_.load).first(m), state.rates) + model_.load[m] * state.velocity) +
+      factors.sine * (dot(std::span(model_.load).first(m), state.rates) + model_.load[m] * state.velocity) +
       model_.contact_force * state.velocity + friction_force * wall_velocity(t);
+  if (!model_.load_cosine.empty())
+    powers.base += factors.cosine * (dot(std::span(model_.load_cosine).first(m), state.rates) +
+                                     model_.load_cosine[m] * state.velocity);
   powers.follower = -state.velocity *
                     (dot(model_.follower, state.amplitudes) + model_.contact_follower * state.displacement);
   powers.friction = -friction_force * (state.velocity - wall_velocity(t));
@@ -178,7 +213,7 @@ double ContactDynamics::potential_energy(const KinematicsView& state) const {
 Harmonic ContactDynamics::held_load(std::size_t mode) const {
   const double omega = model_.load_angular_frequency, wall = model_.wall_amplitude;
   return {.sine = model_.load[mode] + model_.mass_coupling[mode] * omega * omega * wall,
-          .cosine = -damping(mode, modes()) * omega * wall,
+          .cosine = load_cosine(mode) - damping(mode, modes()) * omega * wall,
           .constant = -damping(mode, modes()) * model_.wall_speed};
 }
 
@@ -198,10 +233,14 @@ Harmonic ContactDynamics::held_force() const {
   const std::size_t m = modes();
   const double omega = model_.load_angular_frequency, wall = model_.wall_amplitude;
   double damping_at_contact = damping(m, m);
-  for (std::size_t k = 0; k < m; ++k) damping_at_contact -= model_.mass_coupling[k] * damping(k, m);
+  double cosine = -load_cosine(m);
+  for (std::size_t k = 0; k < m; ++k) {
+    damping_at_contact -= model_.mass_coupling[k] * damping(k, m);
+    cosine += model_.mass_coupling[k] * load_cosine(k);
+  }
   const double load = dot(model_.mass_coupling, std::span(model_.load).first(m)) - model_.load[m];
   return {.sine = (held_stiffness() - free_mass_ * omega * omega) * wall + load,
-          .cosine = damping_at_contact * omega * wall,
+          .cosine = damping_at_contact * omega * wall + cosine,
           .constant = damping_at_contact * model_.wall_speed,
           .rate = held_stiffness() * model_.wall_speed};
 }

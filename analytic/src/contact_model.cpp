@@ -5,11 +5,19 @@
 #include <utility>
 
 #include "stickslip/analytic/held_beam.hpp"
+#include "stickslip/analytic/held_model.hpp"
 
 namespace stickslip::analytic {
 
+double wall_share(const data::Case& problem) {
+  return problem.contact.wall.moves_with_base() || problem.excitation().is_force() ? 0.0 : 1.0;
+}
+
 HeldStructure held_structure(const data::Case& problem, int modes) {
-  return HeldBeam(problem.beam(), problem.damping, modes).structure();
+  if (problem.model() != nullptr) return held_model(problem, modes);
+  HeldStructure structure = HeldBeam(problem.beam(), problem.damping, modes).structure();
+  structure.wall_share = wall_share(problem);
+  return structure;
 }
 
 ContactModel contact_model(HeldStructure structure, const data::HarmonicExcitation& base) {
@@ -18,13 +26,18 @@ ContactModel contact_model(HeldStructure structure, const data::HarmonicExcitati
   static_cast<HeldStructure&>(model) = std::move(structure);
   for (const double participation : model.participation)
     model.load.push_back(base.amplitude() * omega * omega * participation);
+  model.load.back() -= base.amplitude() * model.base_stiffness;
+  for (const double drag : model.drag) model.load_cosine.push_back(-base.amplitude() * omega * drag);
   model.load_angular_frequency = omega;
-  model.wall_amplitude = -base.amplitude();
+  model.base_amplitude = base.is_force() ? 0.0 : base.amplitude();
+  model.wall_amplitude = -model.wall_share * model.base_amplitude;
   return model;
 }
 
 ContactModel contact_model(HeldStructure structure, const data::Case& problem) {
+  structure.wall_share = wall_share(problem);
   ContactModel model = contact_model(std::move(structure), problem.excitation());
+  model.contact_force = problem.constant_force;
   model.wall_speed = problem.contact.wall.speed();
   model.normal_force = problem.normal_force();
   model.friction = problem.contact.friction;

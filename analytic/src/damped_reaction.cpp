@@ -67,7 +67,7 @@ DampedReaction damped_reaction(const HeldStructure& structure, SteadyPart steady
 
   // f = -f_d, and w = -h.
   DampedReaction reaction;
-  reaction.quasi_static = dynamics.held_stiffness();
+  reaction.quasi_static = structure.wall_share * dynamics.held_stiffness() - structure.base_stiffness;
   if (steady_part == SteadyPart::exact) reaction.inertia = -(force.sine + reaction.quasi_static);
   reaction.rate = -force.cosine;
   for (const auto& share : StickPropagator(dynamics).force_shares())
@@ -76,18 +76,23 @@ DampedReaction damped_reaction(const HeldStructure& structure, SteadyPart steady
 }
 
 DampedReaction compliant_reaction(const HeldStructure& structure, double tangential_stiffness) {
-  const ContactDynamics dynamics(unit_motion(structure));
+  require_free_mass(structure);
+  HeldStructure without_static_load = structure;
+  without_static_load.base_stiffness = 0.0;
+  const ContactDynamics dynamics(unit_motion(without_static_load));
   const std::size_t m = dynamics.modes(), size = m + 1;
   const double scale = dynamics.fastest();
-  const double held = tangential_stiffness / (dynamics.held_stiffness() + tangential_stiffness);  // 1 - x_s
-  // Accelerations from rest under the load sin(t), and while the contact moves with the velocity -held.
+  const double static_share = (structure.wall_share * dynamics.held_stiffness() - structure.base_stiffness) /
+                              (dynamics.held_stiffness() + tangential_stiffness);  // x_s
+  const double drift = static_share - structure.wall_share;  // of the static part of u_c
+  // Accelerations from rest under the load with sin(t), and under that with cos(t) while the contact drifts.
   std::vector<double> state(2 * size), sine(size), cosine(size);
-  sine[m] = dynamics.accelerate(view(state.data(), m), 1.0, 0.0, std::span(sine).first(m)) - held;
-  state.back() = -held;
-  cosine[m] = dynamics.accelerate(view(state.data(), m), 0.0, 0.0, std::span(cosine).first(m));
+  sine[m] = drift + dynamics.accelerate(view(state.data(), m), {.sine = 1.0}, 0.0, std::span(sine).first(m));
+  state.back() = drift;
+  cosine[m] = dynamics.accelerate(view(state.data(), m), {.cosine = 1.0}, 0.0, std::span(cosine).first(m));
 
   DampedReaction reaction;
-  reaction.quasi_static = dynamics.held_stiffness() * held;
+  reaction.quasi_static = tangential_stiffness * static_share;
   const auto [eigenvalue, shape, inverse, error] = separated_system(
       first_order_matrix(dynamics, std::vector<double>(size, scale), scale, tangential_stiffness),
       "eigenvalues of the beam on its contact spring");
@@ -103,7 +108,7 @@ DampedReaction compliant_reaction(const HeldStructure& structure, double tangent
     const Complex* to_coordinate = &inverse[k * 2 * size + size];
     ModalShare share;
     share.eigenvalue = scale * Complex(std::min(eigenvalue[k].real(), 0.0), eigenvalue[k].imag());
-    share.start = -(1.0 - held) * weight * to_coordinate[m];
+    share.start = -static_share * weight * to_coordinate[m];
     for (std::size_t n = 0; n < size; ++n) {
       share.sine += weight * to_coordinate[n] * sine[n];
       share.cosine += weight * to_coordinate[n] * cosine[n];

@@ -49,6 +49,7 @@ EventDriven::EventDriven(const ContactModel& model, const EventDrivenSettings& s
       stick_(*dynamics_),
       limit_(model.friction.static_coefficient() * model.normal_force) {
   checked_tolerance(settings.tolerance);
+  require_free_mass(model);
   start_stuck({}, {});
 }
 
@@ -109,8 +110,8 @@ void EventDriven::advance_to(double t) {
   }
 }
 
-double EventDriven::drive_displacement() const {
-  return dynamics_->model().wall_amplitude * dynamics_->load(time_);
+double EventDriven::base_displacement() const {
+  return dynamics_->model().base_amplitude * dynamics_->load(time_).sine;
 }
 
 double EventDriven::sliding_velocity() const {
@@ -138,11 +139,14 @@ EventDrivenEnergy EventDriven::energy_balance() const {
 void EventDriven::prepare_slip() {
   const ContactModel& model = dynamics_->model();
   const double omega = model.load_angular_frequency;
+  const auto load = [&](std::size_t n) {
+    return std::hypot(model.load[n], model.load_cosine.empty() ? 0.0 : model.load_cosine[n]);
+  };
   double modal_load = 0.0;
-  for (std::size_t n = 0; n < model.modes(); ++n) modal_load += std::pow(model.load[n], 2);
+  for (std::size_t n = 0; n < model.modes(); ++n) modal_load += std::pow(load(n), 2);
   double speed = std::max({std::abs(model.wall_amplitude) * omega, std::abs(model.wall_speed),
                            std::sqrt(modal_load / model.contact_mass) / omega,
-                           std::abs(model.load.back()) / (model.contact_mass * omega),
+                           load(model.modes()) / (model.contact_mass * omega),
                            std::abs(model.contact_force) / (model.contact_mass * omega),
                            std::abs(now_.velocity - dynamics_->wall_velocity(0.0))});
   if (!(speed > 0.0)) {

@@ -50,7 +50,7 @@ ForceMaximum::ForceMaximum(const ModalReaction& reaction, double angular_frequen
   require_positive("excitation.frequency_hz", angular_frequency);
   require_positive("excitation.duration", duration);
   const double omega = angular_frequency;
-  double steady = reaction.quasi_static;
+  double steady = reaction.quasi_static + reaction.inertia * omega * omega;
   double cancelled = std::abs(steady);  // the sum of the absolute values of what makes the steady amplitude
   sinusoids_.reserve(reaction.modes.size() + 1);
   sinusoids_.push_back({0.0, omega});

@@ -27,8 +27,8 @@ Matrix integral_of_products(const std::function<std::vector<double>(double)>& fu
   return result;
 }
 
-/// C = sum 2 ζ ω (M x)(M x)ᵀ over the modes (K - ω² M) x = 0, xᵀ M x = 1.
-Matrix modal_damping(const Matrix& mass, const Matrix& stiffness, double ratio) {
+/// C = sum 2 ζ_n ω_n (M x_n)(M x_n)ᵀ over the modes (K - ω_n² M) x_n = 0, x_nᵀ M x_n = 1.
+Matrix modal_damping(const Matrix& mass, const Matrix& stiffness, const data::Damping& ratios) {
   const StatusInsteadOfAbort guard;
   const std::size_t size = mass.rows();
   const auto k = gsl_copy_of(stiffness), m = gsl_copy_of(mass);
@@ -37,6 +37,7 @@ Matrix modal_damping(const Matrix& mass, const Matrix& stiffness, double ratio) 
   const auto workspace = owned(gsl_eigen_gensymmv_alloc(size));
   require_success(gsl_eigen_gensymmv(k.get(), m.get(), values.get(), vectors.get(), workspace.get()),
                   "modes of the free beam");
+  gsl_eigen_gensymmv_sort(values.get(), vectors.get(), GSL_EIGEN_SORT_VAL_ASC);
   Matrix damping(size, size);
   for (std::size_t mode = 0; mode < size; ++mode) {
     std::vector<double> momentum(size);
@@ -46,7 +47,8 @@ Matrix modal_damping(const Matrix& mass, const Matrix& stiffness, double ratio) 
         momentum[i] += mass(i, j) * gsl_matrix_get(vectors.get(), j, mode);
       modal_mass += momentum[i] * gsl_matrix_get(vectors.get(), i, mode);
     }
-    const double factor = 2.0 * ratio * std::sqrt(gsl_vector_get(values.get(), mode)) / modal_mass;
+    const double factor =
+        2.0 * ratios.ratio_of(mode + 1) * std::sqrt(gsl_vector_get(values.get(), mode)) / modal_mass;
     for (std::size_t i = 0; i < size; ++i)
       for (std::size_t j = 0; j < size; ++j) damping(i, j) += factor * momentum[i] * momentum[j];
   }
@@ -101,8 +103,7 @@ void HeldBeam::add_damping(const data::Beam& beam, const data::Damping& damping,
     for (std::size_t column = 0; column <= m; ++column) bending(row, column) *= beam.axial_force();
   for (std::size_t n = 0; n < m; ++n) bending(n, n) += std::pow(structure_.angular_frequency[n], 2);
   bending(m, m) += structure_.contact_stiffness;
-  structure_.damping =
-      damping.ratio() > 0.0 ? modal_damping(mass, bending, damping.ratio()) : Matrix(m + 1, m + 1);
+  structure_.damping = damping.has_ratio() ? modal_damping(mass, bending, damping) : Matrix(m + 1, m + 1);
   for (std::size_t row = 0; row <= m; ++row)
     for (std::size_t column = 0; column <= m; ++column)
       structure_.damping(row, column) +=
@@ -118,9 +119,8 @@ std::vector<double> HeldBeam::shapes(double x) const {
 }
 
 double absolute_displacement(const std::vector<double>& shapes, const EventDriven& run) {
-  // In the frame of the base the wall moves by V t - h.
   return std::inner_product(run.amplitudes().begin(), run.amplitudes().end(), shapes.begin(),
-                            shapes.back() * run.contact_displacement() - run.drive_displacement());
+                            shapes.back() * run.contact_displacement() + run.base_displacement());
 }
 
 }  // namespace stickslip::analytic

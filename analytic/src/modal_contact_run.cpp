@@ -16,18 +16,19 @@ namespace {
 
 using Complex = std::complex<double>;
 
-// Accelerations at rest under the load factor s and the contact force f.
-std::vector<double> accelerations(const ContactDynamics& dynamics, double s, double f) {
+// Accelerations at rest under a load and the contact force f.
+std::vector<double> accelerations(const ContactDynamics& dynamics, const LoadFactors& load, double f) {
   const std::size_t m = dynamics.modes();
   const std::vector<double> rest(2 * (m + 1));
   std::vector<double> result(m + 1);
-  result[m] = dynamics.accelerate(view(rest.data(), m), s, f, std::span(result).first(m));
+  result[m] = dynamics.accelerate(view(rest.data(), m), load, f, std::span(result).first(m));
   return result;
 }
 
 }  // namespace
 
 ContactModes::ContactModes(const ContactModel& model) {
+  require_free_mass(model);
   const ContactDynamics dynamics(model);
   const std::size_t m = model.modes();
   size_ = 2 * (m + 1);
@@ -64,15 +65,17 @@ ModalContactRun::ModalContactRun(const ContactModes& modes, const ContactModel& 
   constexpr double resolved = 2.0;
   const ContactDynamics dynamics(model);
   const std::size_t half = model.modes() + 1;
-  const std::vector<double> by_force = accelerations(dynamics, 0.0, 1.0),
-                            by_load = accelerations(dynamics, 1.0, 0.0);
+  const std::vector<double> by_force = accelerations(dynamics, {}, 1.0),
+                            by_sine = accelerations(dynamics, {.sine = 1.0}, 0.0),
+                            by_cosine = accelerations(dynamics, {.cosine = 1.0}, 0.0);
   free_step_ = h * by_force.back();
   for (std::size_t k = 0; k < modes.eigenvalue_.size(); ++k) {
-    Complex force, load;  // g_k, b_k
+    Complex force, sine, cosine;  // g_k, and b_k of both loads
     for (std::size_t n = 0; n < half; ++n) {
       const Complex row = modes.inverse_[k * modes.size_ + half + n];
       force += row * by_force[n];
-      load += row * by_load[n];
+      sine += row * by_sine[n];
+      cosine += row * by_cosine[n];
     }
     const Complex lambda = modes.eigenvalue_[k];
     Complex turn = std::exp(lambda * h), share = exponential_difference(lambda, 0.0, h);
@@ -88,7 +91,7 @@ ModalContactRun::ModalContactRun(const ContactModes& modes, const ContactModel& 
     set(block.turn, turn);
     set(block.input, share * force);
     weight_ += (share * force).real();
-    add_load(k, load);
+    add_load(k, sine, cosine);
   }
   for (std::size_t n = 0; n <= period_; ++n) {
     sine_.push_back(std::sin(angle * static_cast<double>(n)));
@@ -100,7 +103,7 @@ ModalContactRun::ModalContactRun(const ContactModes& modes, const ContactModel& 
   set_friction();
 }
 
-void ModalContactRun::add_load(std::size_t mode, Complex load) {
+void ModalContactRun::add_load(std::size_t mode, Complex sine, Complex cosine) {
   const double omega = model_.load_angular_frequency;
   const Complex lambda = modes_->eigenvalue_[mode], i{0.0, 1.0};
   const double distance = std::min(std::abs(i * omega - lambda), std::abs(i * omega + lambda));
@@ -110,8 +113,9 @@ void ModalContactRun::add_load(std::size_t mode, Complex load) {
                                    : 1.0 / (i * omega - lambda),
                 minus = is_resonant ? exponential_difference(-i * omega, lambda, time_step_)
                                     : 1.0 / (-i * omega - lambda);
+  const Complex alike = 0.5 * (plus + minus), turned = (plus - minus) / (2.0 * i);
   (is_resonant ? resonant_ : steady_)
-      .push_back({mode, 0.5 * (plus + minus) * load, (plus - minus) / (2.0 * i) * load});
+      .push_back({mode, alike * sine - turned * cosine, turned * sine + alike * cosine});
 }
 
 void ModalContactRun::set_friction() {

@@ -167,7 +167,7 @@ class Variation {
         acceleration = dynamics_.accelerate(
             state, dynamics_.load(t), -direction_ * friction.force + dynamics_.model().contact_force, modal);
       } else {
-        acceleration = dynamics_.accelerate(state, 0.0, friction_slope * state.velocity, modal);
+        acceleration = dynamics_.accelerate(state, {}, friction_slope * state.velocity, modal);
       }
       double* out = rate + column * n_;
       for (std::size_t i = 0; i <= modes_; ++i) out[i] = x[modes_ + 1 + i] / scale_[i];

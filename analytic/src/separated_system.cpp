@@ -81,7 +81,7 @@ Matrix first_order_matrix(const ContactDynamics& dynamics, const std::vector<dou
     state[j] = j < half ? 1.0 / scale[j] : 1.0;
     const double force = slope * state[size - 1] - stiffness * state[m];
     accelerations[m] =
-        dynamics.accelerate(view(state.data(), m), 0.0, force, std::span(accelerations).first(m));
+        dynamics.accelerate(view(state.data(), m), {}, force, std::span(accelerations).first(m));
     for (std::size_t i = 0; i < half; ++i) matrix(half + i, j) = accelerations[i] / unit;
     if (j >= half) matrix(j - half, j) = scale[j - half] / unit;
     state[j] = 0.0;

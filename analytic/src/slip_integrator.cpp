@@ -65,7 +65,7 @@ SlipIntegrator::SlipIntegrator(const ContactDynamics& dynamics, double tolerance
   longest_step_ = std::clamp(std::pow(tolerance / 1e-12, 0.125), 1.0, 3.0) / dynamics.fastest();
   shortest_step_ = 1e-6 * longest_step_;
   const std::vector<double> at_rest(dimension_);
-  accelerate(at_rest.data(), 0.0, 1.0, jerk_);
+  accelerate(at_rest.data(), {}, 1.0, jerk_);
   mobility_ = jerk_.back();
 
   const double contact_mass = dynamics.model().contact_mass;
@@ -169,8 +169,9 @@ int SlipIntegrator::right_side(double t, const double y[], double rate[], void* 
   return GSL_SUCCESS;
 }
 
-void SlipIntegrator::accelerate(const double* y, double s, double f, std::span<double> result) const {
-  result.back() = dynamics_.accelerate(view(y, dynamics_.modes()), s, f, result.first(dynamics_.modes()));
+void SlipIntegrator::accelerate(const double* y, const LoadFactors& load, double f,
+                                std::span<double> result) const {
+  result.back() = dynamics_.accelerate(view(y, dynamics_.modes()), load, f, result.first(dynamics_.modes()));
 }
 
 double SlipIntegrator::holding_force() const {

@@ -60,8 +60,8 @@ class SlipIntegrator {
   static int right_side(double t, const double y[], double rate[], void* self);
   void evaluate(double t, const double* y, double* rate) const;
   void begin_at_end(double direction);
-  /// q_tt under the load factor s and the contact force f.
-  void accelerate(const double* y, double s, double f, std::span<double> result) const;
+  /// q_tt under a load and the contact force f.
+  void accelerate(const double* y, const LoadFactors& load, double f, std::span<double> result) const;
   [[nodiscard]] Powers works_of(const std::vector<double>& y) const;
   void measure(Node& node) const;
   /// One Runge-Kutta step; leaves the error estimate in error_. False if not finite.

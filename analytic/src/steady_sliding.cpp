@@ -9,6 +9,7 @@
 #include <functional>
 #include <limits>
 
+#include "arguments.hpp"
 #include "beam_constants.hpp"
 #include "friction_in_slip.hpp"
 #include "gsl_handles.hpp"
@@ -99,7 +100,54 @@ SteadySliding steady_sliding(const data::Beam& beam, const data::FrictionLaw& fr
                      (1.0 - beam.axial_direction() * z * stumpff(2, z))};
 }
 
+SteadySliding steady_sliding(const data::Case& problem) {
+  const data::Wall& wall = problem.contact.wall;
+  if (problem.model() == nullptr) return steady_sliding(problem.beam(), problem.contact.friction, wall);
+  const double stiffness = held_structure(problem, 1).contact_stiffness;
+  if (!(stiffness > 0.0))
+    throw data::FieldError("model.stiffness", stiffness, "above 0 (N/m) for steady sliding");
+  const double force = std::copysign(
+      slip_resistance(problem.contact.friction.in_slip(), problem.normal_force(), std::abs(wall.speed()))
+          .force,
+      wall.speed());
+  return {force, force / stiffness};
+}
+
+// M x = μ (K + s M) x, μ = 1/(ω² + s): rounding is relative to the lowest. The shift s is for a contact that nothing holds.
+std::vector<double> free_angular_frequencies(const HeldStructure& structure) {
+  const StatusInsteadOfAbort guard;
+  const std::size_t m = structure.modes(), size = m + 1;
+  Matrix mass(size, size), stiffness(size, size);
+  for (std::size_t n = 0; n < m; ++n) {
+    if (structure.follower[n] != 0.0) throw wrong_argument("follower", structure.follower[n], "0");
+    mass(n, n) = 1.0;
+    mass(n, m) = mass(m, n) = structure.mass_coupling[n];
+    stiffness(n, n) = std::pow(structure.angular_frequency[n], 2);
+  }
+  mass(m, m) = structure.contact_mass;
+  stiffness(m, m) = structure.contact_stiffness;
+  const double shift = structure.contact_stiffness > 0.0 ? 0.0 : m > 0 ? 1e-3 * stiffness(0, 0) : 1.0;
+  for (std::size_t i = 0; i < size; ++i)
+    for (std::size_t j = 0; j < size; ++j) stiffness(i, j) += shift * mass(i, j);
+  const auto left = gsl_copy_of(mass), right = gsl_copy_of(stiffness);
+  const auto vectors = owned(gsl_matrix_alloc(size, size));
+  const auto values = owned(gsl_vector_alloc(size));
+  const auto workspace = owned(gsl_eigen_gensymmv_alloc(size));
+  require_success(gsl_eigen_gensymmv(left.get(), right.get(), values.get(), vectors.get(), workspace.get()),
+                  "modes of the free contact");
+  gsl_eigen_gensymmv_sort(values.get(), vectors.get(), GSL_EIGEN_SORT_VAL_DESC);
+  constexpr double massless = 1e-12;
+  std::vector<double> frequencies;
+  for (std::size_t n = 0; n < size; ++n) {
+    const double value = gsl_vector_get(values.get(), n);
+    if (!(value > massless * gsl_vector_get(values.get(), 0))) break;
+    frequencies.push_back(std::sqrt(std::max(0.0, 1.0 / value - shift)));
+  }
+  return frequencies;
+}
+
 std::vector<Complex> sliding_eigenvalues(const ContactModel& model, double kappa) {
+  require_free_mass(model);
   const ContactDynamics dynamics(model);
   const double unit = dynamics.fastest();
   const std::vector<double> scale(model.modes() + 1, unit);
@@ -111,12 +159,36 @@ std::vector<Complex> sliding_eigenvalues(const ContactModel& model, double kappa
 }
 
 Mobility contact_mobility(const data::Case& problem, const ContactModel& model) {
-  if (problem.damping.is_kelvin_voigt()) return TipMobility(problem.beam(), problem.damping);
+  if (problem.model() == nullptr && problem.damping.is_kelvin_voigt())
+    return TipMobility(problem.beam(), problem.damping);
   return contact_mobility(model);
 }
 
+namespace {
+
+// With the modes eliminated, each for itself: s² (m_c - a . a) and what each of them adds.
+Complex uncoupled_mobility(const ContactModel& model, Complex s) {
+  const std::size_t m = model.modes();
+  const auto damping = [&](std::size_t i, std::size_t j) {
+    return model.damping.empty() ? 0.0 : s * model.damping(i, j);
+  };
+  Complex impedance =
+      s * s * model.free_mass() + damping(m, m) + model.contact_stiffness + model.contact_follower;
+  for (std::size_t n = 0; n < m; ++n) {
+    const double coupling = model.mass_coupling[n];
+    const Complex held = damping(n, n) + std::pow(model.angular_frequency[n], 2),
+                  row = damping(m, n) + model.follower[n], column = damping(n, m), mode = s * s + held;
+    if (mode == 0.0) return 0.0;
+    impedance += (s * s * coupling * (coupling * held - row - column) - row * column) / mode;
+  }
+  return impedance == 0.0 ? std::numeric_limits<double>::infinity() : s / impedance;
+}
+
+}  // namespace
+
 Mobility contact_mobility(const ContactModel& model) {
   require_consistent(model);
+  if (model.is_uncoupled()) return [model](Complex s) { return uncoupled_mobility(model, s); };
   return [model](Complex s) {
     const StatusInsteadOfAbort guard;
     const std::size_t m = model.modes(), size = m + 1;

@@ -30,29 +30,39 @@ Matrix held_matrix(const ContactModel& model, double unit) {
   return matrix;
 }
 
+// Next to critical damping the vibration of one mode loses digits.
+bool is_lightly_damped(const ContactModel& model) {
+  constexpr double most = 1.9;  // times ω_n; critical is 2
+  for (std::size_t n = 0; n < model.modes() && !model.damping.empty(); ++n)
+    if (model.damping(n, n) > most * model.angular_frequency[n]) return false;
+  return true;
+}
+
 }  // namespace
 
 StickPropagator::StickPropagator(const ContactDynamics& dynamics)
     : dynamics_(dynamics), omega_(dynamics.model().load_angular_frequency) {
-  if (dynamics.model().damping.empty()) {
-    set_undamped();
-  } else if (dynamics.modes() > 0) {
-    set_damped();
-  }
+  const ContactModel& model = dynamics.model();
+  model.is_uncoupled() && is_lightly_damped(model) ? set_uncoupled() : set_damped();
   set_forcing();
   next_length_ = 0.01 / omega_;
 }
 
-void StickPropagator::set_undamped() {
+// Each mode for itself: (ω T, T_t) = Re[(1, λ/ω) z] with λ = -c/2 + i ν.
+void StickPropagator::set_uncoupled() {
   const std::size_t m = dynamics_.modes();
+  const Matrix& damping = dynamics_.model().damping;
   shape_.assign(2 * m * m, 0.0);
   inverse_.assign(2 * m * m, 0.0);
   for (std::size_t n = 0; n < m; ++n) {
-    eigenvalue_.emplace_back(0.0, dynamics_.model().angular_frequency[n]);
+    const double omega = dynamics_.model().angular_frequency[n];
+    const double decay = damping.empty() ? 0.0 : 0.5 * damping(n, n);
+    const double turn = std::sqrt((omega - decay) * (omega + decay));  // ν
+    eigenvalue_.emplace_back(-decay, turn);
     shape_[n * m + n] = 1.0;
-    shape_[(m + n) * m + n] = Complex(0.0, 1.0);
-    inverse_[n * 2 * m + n] = 1.0;
-    inverse_[n * 2 * m + m + n] = Complex(0.0, -1.0);
+    shape_[(m + n) * m + n] = eigenvalue_.back() / omega;
+    inverse_[n * 2 * m + n] = Complex(1.0, -decay / turn);
+    inverse_[n * 2 * m + m + n] = Complex(0.0, -omega / turn);
   }
 }
 

@@ -28,7 +28,41 @@ StickResponse exact_response(const data::Case& problem, int modes) {
   return {problem.beam(), unit, modes, SteadyPart::exact};
 }
 
+Bounds widened(const Bounds& force, double by) { return {std::max(0.0, force.lower - by), force.upper + by}; }
+
+ModalReaction undamped_reaction(const data::Case& problem);
+
+// Any but an undamped beam on a wall at rest.
+bool needs_held_structure(const data::Case& problem) {
+  return problem.model() != nullptr || problem.is_damped() || wall_share(problem) != 1.0;
+}
+
+// L_n
+double load_share(const HeldStructure& structure, std::size_t n) {
+  return structure.participation[n] - structure.wall_share * structure.mass_coupling[n];
+}
+
+// What h_tt takes at once: of the modes that are not kept, as residual mass.
+double inertia(const HeldStructure& structure) {
+  double inertia = structure.wall_share * structure.contact_mass - structure.participation.back();
+  for (std::size_t n = 0; n < structure.modes(); ++n)
+    inertia += structure.mass_coupling[n] * load_share(structure, n);
+  return inertia;
+}
+
 }  // namespace
+
+// With g = Ω³ √(α β), h = κ δ Ω α, ω the lowest frequency left out, x = Ω/ω and q = 1/(1 - x²).
+OmittedForce omitted_force(const data::Case& problem, const HeldStructure& structure) {
+  const double omega = angular_frequency(problem), delta = problem.damping.mass_proportional();
+  const auto& [lowest, contact, load] = structure.omitted;
+  const double x = omega / lowest, q = 1.0 / (1.0 - x * x);
+  if (!(x < 1.0)) return {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  const double g = std::pow(omega, 3) * std::sqrt(contact * load),
+               h = structure.wall_share * delta * omega * contact, slow = delta / lowest;
+  return {.start_up = (g + slow * h) * (1.0 + 2.0 * x * q) + h * (1.0 + 2.0 * x * x * q) + 2.0 * slow * g * q,
+          .steady = (x * q + slow * q) * g + (x * x * q + slow * x * q) * h};
+}
 
 StickReaction::StickReaction(const data::Case& problem, Kept kept)
     : kept_(std::make_shared<const Kept>(std::move(kept))),
@@ -41,30 +75,38 @@ StickReaction::StickReaction(const data::Case& problem, int modes)
     : StickReaction(problem, kept_of(problem, modes)) {}
 
 StickReaction::StickReaction(const data::Case& problem, ModalReaction reaction)
-    : StickReaction(problem, Kept{.undamped = std::move(reaction), .damped = {}, .half = {}}) {}
+    : StickReaction(problem, Kept{.undamped = std::move(reaction), .damped = {}, .half = {}, .omitted = {}}) {
+}
 
 StickReaction::Kept StickReaction::kept_of(const data::Case& problem) {
   Kept kept;
-  if (problem.damping.is_none())
-    kept.undamped = modal_reaction(problem.beam(), problem.numerics.modes());
-  else
-    kept.damped = damped_reaction(held_structure(problem, problem.numerics.modes()));
+  // Eq. (28) is that of a beam on a wall at rest.
+  const bool is_that_of_the_paper = problem.model() == nullptr && wall_share(problem) == 1.0;
+  if (needs_held_structure(problem))
+    kept.damped = damped_reaction(held_structure(problem, problem.numerics.modes()),
+                                  is_that_of_the_paper ? SteadyPart::modal_sum : SteadyPart::exact);
+  if (!problem.is_damped()) kept.undamped = undamped_reaction(problem);
   return kept;
 }
 
 StickReaction::Kept StickReaction::kept_of(const data::Case& problem, int modes) {
   Kept kept;
-  if (!problem.damping.is_none()) {
-    kept.damped = damped_reaction(held_structure(problem, modes), SteadyPart::exact);
-    kept.half = damped_reaction(held_structure(problem, modes / 2), SteadyPart::exact);
+  if (needs_held_structure(problem)) {
+    const HeldStructure structure = held_structure(problem, modes);
+    kept.damped = damped_reaction(structure, SteadyPart::exact);
+    const bool is_model = problem.model() != nullptr,
+               has_more = std::isfinite(structure.omitted.angular_frequency);
+    if (is_model && has_more) kept.omitted = omitted_force(problem, structure);
+    if (!is_model || (has_more && !problem.model()->matrices().damping.empty()))
+      kept.half = damped_reaction(held_structure(problem, modes / 2), SteadyPart::exact);
   } else if (problem.has(data::Feature::shear)) {
     const double omega = angular_frequency(problem);
     kept.undamped = timoshenko_reaction(problem.beam(), modes, omega);
-    kept.omitted = timoshenko_omitted_transient(timoshenko_reaction(problem.beam(), modes), omega);
+    kept.omitted.start_up = timoshenko_omitted_transient(timoshenko_reaction(problem.beam(), modes), omega);
   } else {
     const StickResponse response = exact_response(problem, modes);
     kept.undamped = response.reaction();
-    kept.omitted = response.omitted_transient_bound();
+    kept.omitted.start_up = response.omitted_transient_bound();
   }
   return kept;
 }
@@ -82,9 +124,13 @@ DampedForce StickReaction::damped_force() const {
 }
 
 Bounds StickReaction::largest(double relative_width) const {
-  if (kept_->damped) return damped_force().refined_to(relative_width);
-  const Bounds force = ForceMaximum(*kept_->undamped, omega_, duration_).refined_to(relative_width);
-  return {std::max(0.0, force.lower - kept_->omitted), force.upper + kept_->omitted};
+  return widened(kept_->damped ? damped_force().refined_to(relative_width)
+                               : ForceMaximum(*kept_->undamped, omega_, duration_).refined_to(relative_width),
+                 kept_->omitted.start_up);
+}
+
+Bounds StickReaction::damped_steady() const {
+  return widened(damped_force().steady_bounds(), kept_->omitted.steady);
 }
 
 bool StickReaction::exceeds(double limit, double relative_width) const {
@@ -93,8 +139,8 @@ bool StickReaction::exceeds(double limit, double relative_width) const {
 }
 
 BandMaximum StickReaction::over(const FrequencyBand& band, DampedForcePart part) const {
-  if (kept_->damped) return {*kept_->damped, band, duration_, part};
-  return {*kept_->undamped, band, duration_};
+  if (kept_->undamped) return {*kept_->undamped, band, duration_};
+  return {*kept_->damped, band, duration_, part};
 }
 
 double StickReaction::least_damping_ratio() const {
@@ -113,16 +159,18 @@ double StickReaction::slowest_decay() const {
 }
 
 void StickReactions::tabulate(double lowest_load_factor, double highest_load_factor) {
-  if (!first_.damping.is_none() || first_.has(data::Feature::shear)) return;
+  if (needs_held_structure(first_) || first_.has(data::Feature::shear)) return;
   table_.emplace(lowest_load_factor, highest_load_factor, first_.numerics.modes(),
                  first_.beam().axial_direction());
 }
 
 StickReaction StickReactions::of(const data::Case& problem) const {
   const bool has_its_modes = problem.numerics.modes() == first_.numerics.modes();
-  if (table_ && has_its_modes && problem.damping.is_none() && table_->holds(problem.beam()))
+  if (table_ && has_its_modes && !needs_held_structure(problem) && table_->holds(problem.beam()))
     return {problem, table_->at(problem.beam())};
-  if (!has_its_modes || problem.structure != first_.structure || problem.damping != first_.damping)
+  if (!has_its_modes || problem.structure != first_.structure || problem.damping != first_.damping ||
+      wall_share(problem) != wall_share(first_) ||
+      problem.excitation().is_force() != first_.excitation().is_force())
     return StickReaction(problem);
   const std::lock_guard lock(guard_);
   if (!common_) common_.emplace(problem);
@@ -130,12 +178,15 @@ StickReaction StickReactions::of(const data::Case& problem) const {
 }
 
 ModesOfAll modes_of_all(const data::Case& problem, bool verdict_alone) {
-  const bool is_damped = !problem.damping.is_none();
-  ModesOfAll modes{.first = is_damped ? 40 : 200, .most = is_damped ? 160 : 800};
-  if (verdict_alone && !is_damped) modes.first = std::clamp(4 * problem.numerics.modes(), 40, 200);
+  const bool is_undamped = !needs_held_structure(problem);
+  ModesOfAll modes{.first = is_undamped ? 200 : 40, .most = is_undamped ? 800 : 160};
+  if (problem.model() != nullptr) modes = {.first = 60, .most = 240};
+  if (verdict_alone && is_undamped) modes.first = std::clamp(4 * problem.numerics.modes(), 40, 200);
   const double omega = angular_frequency(problem);
   for (;; modes.first = std::min(2 * modes.first, modes.most)) {
-    const double highest = held_modes(problem, modes.first).back().angular_frequency;
+    const auto held = held_modes(problem, modes.first);
+    if (const int all = static_cast<int>(held.size()); all < modes.first) return {all, all};
+    const double highest = held.back().angular_frequency;
     if (highest >= 4.0 * omega) return modes;
     if (modes.first < modes.most) continue;
     char hz[32];
@@ -149,27 +200,52 @@ ModesOfAll modes_of_all(const data::Case& problem, bool verdict_alone) {
 Bounds steady_reaction(const data::Case& problem) {
   const double omega = angular_frequency(problem);
   const auto exactly = [](double force) { return Bounds{std::abs(force), std::abs(force)}; };
-  if (problem.damping.is_none()) {
+  if (!needs_held_structure(problem)) {
     if (problem.has(data::Feature::shear)) return exactly(timoshenko_steady_force(problem.beam(), omega));
     return exactly(exact_response(problem, modes_of_all(problem).first).steady_force_amplitude());
   }
-  if (problem.damping.is_kelvin_voigt()) {
+  if (problem.model() == nullptr && wall_share(problem) == 1.0 && problem.damping.is_kelvin_voigt()) {
     const data::HarmonicExcitation unit(
         {.frequency_hz = problem.excitation().frequency_hz(), .amplitude = 1.0});
     return exactly(std::abs(
         DampedSteadyState(problem.beam(), unit, problem.damping, TipSupport::held).friction_force()));
   }
-  return StickReaction(problem, modes_of_all(problem).first).damped_steady();
+  const Bounds force = StickReaction(problem, modes_of_all(problem).first).damped_steady();
+  const double infinite = std::numeric_limits<double>::infinity();
+  return std::isfinite(force.upper) ? force : Bounds{infinite, infinite};  // without damping at a frequency
 }
 
 std::vector<ModalForce> held_modes(const data::Case& problem, int count) {
-  return modal_forces(problem.beam(), count);
+  if (problem.model() == nullptr && wall_share(problem) == 1.0) return modal_forces(problem.beam(), count);
+  const HeldStructure structure = held_structure(problem, count);
+  std::vector<ModalForce> modes;
+  for (std::size_t n = 0; n < structure.modes(); ++n) {
+    const double omega = structure.angular_frequency[n];
+    modes.push_back({omega, (structure.mass_coupling[n] * omega * omega - structure.follower[n]) *
+                                load_share(structure, n)});
+  }
+  return modes;
 }
+
+namespace {
+
+ModalReaction undamped_reaction(const data::Case& problem) {
+  const int modes = problem.numerics.modes();
+  if (problem.model() == nullptr && wall_share(problem) == 1.0) return modal_reaction(problem.beam(), modes);
+  const HeldStructure structure = held_structure(problem, modes);
+  const double stiffness = structure.contact_stiffness + structure.contact_follower;
+  return {.quasi_static = structure.wall_share * stiffness - structure.base_stiffness,
+          .modes = held_modes(problem, modes),
+          .inertia = -inertia(structure)};
+}
+
+}  // namespace
 
 std::vector<FreeVibration> free_vibrations(const data::Case& problem) {
   constexpr int instants = 2048;
   const double omega = angular_frequency(problem);
-  const ModalReaction reaction = modal_reaction(problem.beam(), problem.numerics.modes());
+  const ModalReaction reaction = undamped_reaction(problem);
+  if (reaction.modes.empty()) return {};
   const double span = std::max({problem.numerics.duration(), 1.0 / problem.excitation().frequency_hz(),
                                 2.0 * std::numbers::pi / reaction.modes.front().angular_frequency});
   const ForceMaximum force(reaction, omega, span);
@@ -184,7 +260,10 @@ std::vector<FreeVibration> free_vibrations(const data::Case& problem) {
   return vibrations;
 }
 
-double buckling_load(const data::Case& problem) { return stick_buckling_load(problem.beam()); }
+double buckling_load(const data::Case& problem) {
+  return problem.model() != nullptr ? std::numeric_limits<double>::infinity()
+                                    : stick_buckling_load(problem.beam());
+}
 
 bool is_buckled(const data::Case& problem) { return problem.normal_force() >= buckling_load(problem); }
 

@@ -57,5 +57,5 @@ set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "gnuplot-nox, fonts-dejavu-core")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS
-    "cmake, g++, pkgconf, libeigen3-dev, libfftw3-dev, libgsl-dev, libssl-dev, zlib1g-dev, libtomlplusplus-dev, nlohmann-json3-dev, ffmpeg")
+    "cmake, g++, pkgconf, libeigen3-dev, libarpack2-dev, libfftw3-dev, libgsl-dev, liblapacke-dev, libsuitesparse-dev, libssl-dev, zlib1g-dev, libtomlplusplus-dev, nlohmann-json3-dev, ffmpeg")
 include(CPack)

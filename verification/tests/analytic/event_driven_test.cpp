@@ -295,7 +295,7 @@ TEST(EventDriven, RefusesUnusableModels) {
   refuses("damping", [](auto& m) { m.damping = analytic::Matrix(1, 2); });
   refuses("damping's rows is 1", [](auto& m) { m.damping = analytic::Matrix(2, 1); });
   refuses("contact_mass", [](auto& m) { m.contact_mass = 0.1; });
-  refuses("mass_coupling is 0", [](auto& m) { m.contact_mass = m.mass_coupling[0] * m.mass_coupling[0]; });
+  refuses("model.mass_matrix", [](auto& m) { m.contact_mass = m.mass_coupling[0] * m.mass_coupling[0]; });
   refuses("normal_force", [](auto& m) { m.normal_force = -1.0; });
   for (const auto& [name, member] : {std::pair{"normal_force", &ContactModel::normal_force},
                                      {"contact_stiffness", &ContactModel::contact_stiffness},
@@ -348,7 +348,8 @@ ContactModel three_modes(bool damped) {
                       .follower = {0.9, -0.7, 0.5},
                       .contact_follower = -0.6,
                       .damping = {},
-                      .participation = {}},
+                      .participation = {},
+                      .drag = {}},
                      {0.7, 0.4, -0.3, -0.2}};
   model.load_angular_frequency = 3.0;
   model.wall_amplitude = 0.3;

@@ -78,7 +78,8 @@ inline CaseText stated(CaseText text, const Statement& statement) {
 
 inline bool is_damped(const CaseText& text) {
   return text.has("damping.kelvin_voigt") || text.has("damping.ratio") ||
-         text.has("damping.mass_proportional");
+         text.has("damping.mass_proportional") || text.has("model.damping") ||
+         text.has("model.damping_matrix");
 }
 
 inline void give_units(CaseText& text) {

@@ -5,18 +5,23 @@
 
 #include <array>
 #include <cstddef>
+#include <filesystem>
+#include <fstream>
 #include <memory>
 #include <numbers>
+#include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "stickslip/data/problem.hpp"
-#include "support/random_beams.hpp"
+#include "support/random_cases.hpp"
 
 namespace stickslip::testing {
 
 /// The case with these matrices in place of its structure, and the same normal force. Its damping stays.
 inline data::Case with_matrices(data::Case problem, data::StructureMatrices matrices) {
+  if (!problem.excitation().is_force()) matrices.load.clear();
   problem.structure = data::Model(problem.normal_force(),
                                   std::make_shared<const data::StructureMatrices>(std::move(matrices)));
   problem.section = {};
@@ -71,7 +76,7 @@ struct StructureRange {
 };
 
 /// Masses of about 1 kg in a chain with random further springs, some of them to a fixed row, and dampers beside the springs. Row 0 is the
-/// base, row 1 fixed. A third of the structures has rows without mass, a third a contact of two rows, and a third twins: two equal
+/// base, row 1 fixed. A third of the structures has rows without mass, which no damper acts on, a third a contact of two rows, and a third twins: two equal
 /// oscillators on one row, whose frequencies are next to each other.
 inline data::StructureMatrices random_matrices(RandomNumbers& numbers, const StructureRange& range) {
   const int rows = numbers.whole(std::max(range.fewest_rows, 1), range.most_rows) + 2;
@@ -91,6 +96,7 @@ inline data::StructureMatrices random_matrices(RandomNumbers& numbers, const Str
       if (damper > 0.0) matrices.damping.push_back({row, column, sign * damper});
     }
   };
+  std::set<int> massless;
   const bool has_massless = numbers.whole(0, 2) == 0, has_twins = numbers.whole(0, 2) == 0;
   for (int row = 2; row < rows; ++row) {
     link(row == 2 ? 0 : row - 1, row, numbers.log_uniform(3e3, 3e5));
@@ -100,7 +106,11 @@ inline data::StructureMatrices random_matrices(RandomNumbers& numbers, const Str
     const bool is_massless =
         row == rows - 1 ? range.massless_contact : has_massless && numbers.whole(0, 3) == 0;
     if (!is_massless) matrices.mass.push_back({row, row, numbers.uniform(0.5, 2.0)});
+    if (is_massless && row < rows - 1) massless.insert(row);
   }
+  std::erase_if(matrices.damping, [&](const auto& entry) {
+    return massless.contains(entry.row) || massless.contains(entry.column);
+  });
   if (has_twins) {
     const int first = matrices.rows;
     matrices.rows += 2;
@@ -114,6 +124,61 @@ inline data::StructureMatrices random_matrices(RandomNumbers& numbers, const Str
     matrices.contact = {{rows - 1, weight}, {rows - 2, 1.0 - weight}};
   }
   return matrices;
+}
+
+/// As Matrix Market, with entries that add.
+inline void write_matrix(const std::filesystem::path& file, int rows,
+                         const std::vector<data::MatrixEntry>& entries) {
+  std::ofstream stream(file);
+  stream << "%%MatrixMarket matrix coordinate real general\n"
+         << rows << " " << rows << " " << entries.size() << "\n";
+  for (const auto& [row, column, value] : entries)
+    stream << row + 1 << " " << column + 1 << " " << data::shortest_text(value) << "\n";
+}
+
+/// A random case with a model: one mass, or matrices in files of the folder. Half of them has damping, a third of the others a shaker.
+inline CaseText random_model(RandomNumbers& numbers, const std::filesystem::path& folder) {
+  CaseText text;
+  const bool is_damped = numbers.whole(0, 1) == 0;
+  const double mu = numbers.uniform(0.2, 0.8);
+  text.set("model.normal_force", numbers.log_uniform(1.0, 100.0));
+  text.set("friction.static_coefficient", mu);
+  text.set("excitation.frequency_hz", numbers.log_uniform(1.0, 20.0));
+  text.set("excitation.duration", numbers.uniform(0.2, 1.0));
+  text.set("excitation.amplitude", numbers.log_uniform(1e-5, 1e-3));
+  if (numbers.whole(0, 2) == 0) {
+    text.set("model.mass", numbers.log_uniform(0.1, 10.0));
+    text.set("model.stiffness", numbers.log_uniform(1e3, 1e5));
+    if (is_damped) text.set("model.damping", numbers.log_uniform(1.0, 100.0));
+    return text;
+  }
+  const data::StructureMatrices matrices =
+      random_matrices(numbers, {.most_rows = 24, .damping = is_damped ? 1.0 : 0.0});
+  const auto list = [](const std::vector<data::WeightedRow>& rows) {
+    std::string numbers_of_rows, weights;
+    for (const auto& [row, weight] : rows) {
+      numbers_of_rows += (numbers_of_rows.empty() ? "" : ", ") + std::to_string(row + 1);
+      weights += (weights.empty() ? "" : ", ") + data::shortest_text(weight);
+    }
+    return "{ rows = [" + numbers_of_rows + "], weights = [" + weights + "] }";
+  };
+  write_matrix(folder / "m.mtx", matrices.rows, matrices.mass);
+  write_matrix(folder / "k.mtx", matrices.rows, matrices.stiffness);
+  text.set("model.mass_matrix", "\"m.mtx\"");
+  text.set("model.stiffness_matrix", "\"k.mtx\"");
+  if (is_damped) {
+    write_matrix(folder / "c.mtx", matrices.rows, matrices.damping);
+    text.set("model.damping_matrix", "\"c.mtx\"");
+  }
+  text.set("model.base", "[1]");
+  text.set("model.fixed", "[2]");
+  text.set("model.contact", list(matrices.contact));
+  if (numbers.whole(0, 2) == 0) {
+    text.erase("excitation.amplitude");
+    text.set("excitation.force", numbers.log_uniform(0.1, 10.0));
+    text.set("model.load", list(matrices.load));
+  }
+  return text;
 }
 
 /// Calls claim(matrices, numbers) for `count` random structures.

@@ -109,4 +109,8 @@ class ContactElement {
                                                      const ContactLaw& law,
                                                      const std::vector<double>& holding_force);
 
+/// Where the contact is on the wall at the beginning and after every so many steps, m.
+[[nodiscard]] std::vector<double> contact_positions(const std::vector<ContactStep>& steps, double time_step,
+                                                    std::size_t every);
+
 }  // namespace stickslip::analytic

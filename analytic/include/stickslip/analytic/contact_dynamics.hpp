@@ -48,6 +48,11 @@ struct Harmonic {
   double rate{};
 };
 
+/// Factors of ContactModel::load and load_cosine: sin(Ω t) and cos(Ω t), or their rates.
+struct LoadFactors {
+  double sine{}, cosine{};
+};
+
 /// Rates at which the works of EventDrivenEnergy grow, W.
 struct Powers {
   double base{}, follower{}, damping{}, friction{};
@@ -62,16 +67,17 @@ class ContactDynamics {
   /// The highest of ω_n and Ω, rad/s.
   [[nodiscard]] double fastest() const;
 
-  [[nodiscard]] double load(double t) const;               ///< s
-  [[nodiscard]] double load_rate(double t) const;          ///< s_t
+  [[nodiscard]] LoadFactors load(double t) const;
+  [[nodiscard]] LoadFactors load_rate(double t) const;
   [[nodiscard]] double wall_displacement(double t) const;  ///< w
   [[nodiscard]] double wall_velocity(double t) const;
   [[nodiscard]] double wall_acceleration(double t) const;
   [[nodiscard]] double wall_jerk(double t) const;
 
-  /// Accelerations under the load factor s and the contact force f, which is f_d + F_c; writes T_tt and returns u_c_tt. Linear in
-  /// all its arguments, so that their rates give the rate of the result.
-  double accelerate(const KinematicsView& state, double s, double f, std::span<double> modal) const;
+  /// Accelerations under a load and the contact force f, which is f_d + F_c; writes T_tt and returns u_c_tt. Linear in all its
+  /// arguments, so that their rates give the rate of the result. Not without a free mass.
+  double accelerate(const KinematicsView& state, const LoadFactors& load, double f,
+                    std::span<double> modal) const;
 
   /// f_d that gives the contact the acceleration of the wall.
   [[nodiscard]] double holding_force(const KinematicsView& state, double t) const;
@@ -80,8 +86,7 @@ class ContactDynamics {
   [[nodiscard]] double kinetic_energy(const KinematicsView& state) const;
   [[nodiscard]] double potential_energy(const KinematicsView& state) const;
 
-  /// The force T_n sees per unit load factor and unit wall motion while the contact is held, as it stands in
-  /// T_n_tt + (C T_t)_n + ω_n² T_n = held_load.
+  /// The force T_n sees while the contact is held, as it stands in T_n_tt + (C T_t)_n + ω_n² T_n = held_load.
   [[nodiscard]] Harmonic held_load(std::size_t mode) const;
 
   /// holding_force = sum ρ_n T_n + sum ρ_(m+n) T_n_t + held_stiffness() (u_c - w) - F_c + held_force().
@@ -93,6 +98,12 @@ class ContactDynamics {
   [[nodiscard]] double damping(std::size_t row, std::size_t column) const {
     return model_.damping.empty() ? 0.0 : model_.damping(row, column);
   }
+  [[nodiscard]] double load_cosine(std::size_t row) const {
+    return model_.load_cosine.empty() ? 0.0 : model_.load_cosine[row];
+  }
+
+  /// What moves the contact if the modes follow: writes T_tt for a contact without acceleration, and returns (m_c - a . a) u_c_tt.
+  double push(const KinematicsView& state, const LoadFactors& load, double f, std::span<double> modal) const;
 
   ContactModel model_;
   double free_mass_;  // m_c - a . a: what f_d accelerates when the modes may follow

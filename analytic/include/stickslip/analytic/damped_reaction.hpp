@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// The stick-state reaction of a damped beam that starts as Eq. (26) assumes, in closed form.
+/// The stick-state reaction of a structure, damped or not, that starts as Eq. (26) assumes, in closed form.
 ///
-/// Kelvin-Voigt damping is η times the bending stiffness, and a damping ratio holds in the modes of the beam
+/// In a beam, Kelvin-Voigt damping is η times the bending stiffness, and a damping ratio holds in the modes of the beam
 /// with its tip free and P = 0. Neither is diagonal in the modes of the stick state. With the N modes of
 /// a HeldStructure, y = (ω_n T_n, T_n_t) = Re(Z z) separates them (StickPropagator), and per unit amplitude
 ///
@@ -30,7 +30,7 @@ namespace stickslip::analytic {
 
 /// The numbers above.
 struct DampedReaction {
-  double quasi_static{};  ///< s = EI S'''(L) + χ P S'(L), N/m
+  double quasi_static{};  ///< s = κ (k_c + l_c) - e_c, N/m; of a beam EI S'''(L) + χ P S'(L)
   double inertia{};       ///< m, N s²/m; that of what is not in the N modes, 0 for SteadyPart::modal_sum
   double rate{};          ///< r, N s/m
   /// Of z_k, with u_k (N s/m), v_k (N/m) and z_k(0)/Ω (N s/m), which is 0 if the tip is held.
@@ -49,8 +49,9 @@ struct DampedReaction {
 ///
 ///     M X_tt + C X_t + (K + k_t e eᵀ) X = F(t),       X(0) = X_t(0) = 0,
 ///
-/// and the static part x_s = s/(s + k_t) of X, s = R[S], is taken out. The rest starts with X_t(0) = -x_s Ω e. For
-/// large k_t it tends to SteadyPart::exact of the held tip; the static part differs by the factor k_t/(s + k_t). Throws
+/// and the static part x_s = s/(k_c + l_c + k_t) of X is taken out. The rest starts with X_t(0) = -x_s Ω e. For
+/// large k_t it tends to SteadyPart::exact of the held tip; the static part differs by the factor k_t/(k_c + l_c + k_t). Throws what
+/// require_free_mass() throws, and
 /// data::FieldError, naming contact.tangential_stiffness, if the beam on its spring buckles or flutters.
 [[nodiscard]] DampedReaction compliant_reaction(const HeldStructure& structure, double tangential_stiffness);
 

@@ -37,7 +37,7 @@ class SlipIntegrator;
 struct EventDrivenEnergy {
   double kinetic{};    ///< 1/2 x_t . M x_t in the frame of the base
   double potential{};  ///< strain and geometric energy, 1/2 sum ω_n² T_n² + 1/2 k_c u_c²
-  double base_work{};  ///< of the loads and of the moving wall, ∫ s b . x_t + F_c u_c_t + f_d w_t dt
+  double base_work{};  ///< of the loads and of the moving wall, ∫ b(t) . x_t + F_c u_c_t + f_d w_t dt
   double follower_work{};
   double damping_loss{};
   double friction_loss{};
@@ -54,7 +54,8 @@ struct EventDrivenSettings {
 /// One run of a ContactModel. f_d is the friction force on the structure.
 class EventDriven {
  public:
-  /// Starts as start_stuck({}, {}) does. Throws std::invalid_argument, naming what is unusable.
+  /// Starts as start_stuck({}, {}) does. Throws std::invalid_argument, naming what is unusable, and what
+  /// require_free_mass() throws.
   explicit EventDriven(const ContactModel& model, const EventDrivenSettings& settings = {});
   ~EventDriven();
   EventDriven(EventDriven&&) noexcept;
@@ -81,7 +82,7 @@ class EventDriven {
   [[nodiscard]] double contact_displacement() const { return now_.displacement; }          ///< u_c, m
   [[nodiscard]] double contact_velocity() const { return now_.velocity; }                  ///< u_c_t, m/s
   [[nodiscard]] double wall_displacement() const { return dynamics_->wall_displacement(time_); }  ///< w, m
-  [[nodiscard]] double drive_displacement() const;  ///< W sin(Ω t) = w - V t, m
+  [[nodiscard]] double base_displacement() const;                                                 ///< h, m
   /// u_c - w, m.
   [[nodiscard]] double contact_position() const { return now_.displacement - wall_displacement(); }
   [[nodiscard]] double sliding_velocity() const;  ///< v_s, m/s; zero in stick

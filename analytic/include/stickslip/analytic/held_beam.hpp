@@ -25,7 +25,7 @@ namespace stickslip::analytic {
 ///     l_n = (1 - χ) P U_n'(L),    l_c = (1 - χ) P σ'(L),    p = ρ A ∫ (U_n, σ) dx.
 ///
 /// Kelvin-Voigt damping is η times the bending stiffness, K + P ∫ u' u' dx. Modal damping gives the
-/// fraction ζ of critical to every mode of the same space with its tip free and P = 0.
+/// fraction ζ_n of critical to mode n of the same space with its tip free and P = 0.
 ///
 /// Truncation in slip. The coefficients of u fall as n⁻⁵, and those of the adjoint problem as P n⁻³. The slip
 /// frequencies converge as P N⁻³ + N⁻⁵, and so does the motion of the tip if friction is smooth or the beam is damped.

@@ -6,7 +6,7 @@
 /// The equations of a ContactModel with its contact free are one linear system, whose eigenvectors separate it,
 /// damped or not. With the complex amplitudes z_k scaled to the velocity of the contact,
 ///
-///     z_k_t = λ_k z_k + g_k (f_d + F_c) + b_k sin(Ω t),        u_c_t = Re Σ_k z_k.
+///     z_k_t = λ_k z_k + g_k (f_d + F_c) + b_k(t),        u_c_t = Re Σ_k z_k.
 ///
 /// A step h = 2 π/(Ω n) propagates each z_k exactly under the load and a friction force that is constant
 /// over the step. Then the sliding velocity at its end is v_1 = p + W f_d with one number W = Re sum g_k
@@ -115,7 +115,7 @@ class ModalContactRun {
     std::size_t mode{};
     Complex sine, cosine;
   };
-  void add_load(std::size_t mode, Complex load);
+  void add_load(std::size_t mode, Complex sine, Complex cosine);
 
   const ContactModes* modes_;
   ContactModel model_;

@@ -22,6 +22,7 @@ struct ModalForce {
 struct ModalReaction {
   double quasi_static{};          ///< s, N/m
   std::vector<ModalForce> modes;  ///< ascending
+  double inertia{};  ///< m, N s²/m: f/A0 has m Ω² sin(Ω t) besides, of modes that are not among these
 };
 
 /// The first `modes` shares, with shear if the beam has it (timoshenko_modes.hpp). Throws what stick_modes() throws.

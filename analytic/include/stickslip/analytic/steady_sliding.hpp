@@ -41,10 +41,10 @@ namespace stickslip::analytic {
 /// 0 if it is at every speed, infinity if it is at none.
 [[nodiscard]] double speed_of_slope(const data::FrictionLaw& friction, double normal_force, double slope);
 
-/// Steady sliding of the beam.
+/// Steady sliding.
 struct SteadySliding {
-  double friction_force{};    ///< f_d on the beam, N
-  double tip_displacement{};  ///< u(L), m
+  double friction_force{};    ///< f_d on the structure, N
+  double tip_displacement{};  ///< u of the contact, m
 };
 
 /// u(L) = f_d L³/EI (c_2(z) - c_3(z))/(1 - χ z c_2(z)) with the Stumpff functions of z = P L²/EI: the static
@@ -52,13 +52,22 @@ struct SteadySliding {
 [[nodiscard]] SteadySliding steady_sliding(const data::Beam& beam, const data::FrictionLaw& friction,
                                            const data::Wall& wall);
 
-/// All eigenvalues s with Im s ≥ 0 of small disturbances of a model at the slope κ (N s/m), 1/s, by falling real part.
+/// The same of a case; of a Model u = f_d/k_c. Throws data::FieldError, naming model.stiffness, for one mass without a spring.
+[[nodiscard]] SteadySliding steady_sliding(const data::Case& problem);
+
+/// The natural frequencies of the free contact without damping, ascending, rad/s: of the modes and the contact, as many as have mass. With
+/// held modes left out, that at ω is high by about ω²/2 α/(m_c ω_o²) of itself, α and ω_o of HeldStructure::omitted. Throws
+/// std::invalid_argument for a follower force.
+[[nodiscard]] std::vector<double> free_angular_frequencies(const HeldStructure& structure);
+
+/// All eigenvalues s with Im s ≥ 0 of small disturbances of a model at the slope κ (N s/m), 1/s, by falling real part. Throws
+/// what require_free_mass() throws.
 [[nodiscard]] std::vector<std::complex<double>> sliding_eigenvalues(const ContactModel& model, double kappa);
 
 /// The mobility of the contact of a model, with any damping: s [(s² M + s C + K)⁻¹]_cc, by elimination; infinite
-/// where s is an eigenvalue.
+/// where s is an eigenvalue. Where damping does not couple the held modes, the cost is that of a sum over them.
 [[nodiscard]] Mobility contact_mobility(const ContactModel& model);
-/// That of a case: with all modes (TipMobility), or, for damping other than Kelvin-Voigt's, with this model of it.
+/// That of a case: of a beam with all modes (TipMobility), or, for damping other than Kelvin-Voigt's and for a Model, with this model of it.
 [[nodiscard]] Mobility contact_mobility(const data::Case& problem, const ContactModel& model);
 
 /// Where a pair of roots crosses the imaginary axis as κ grows.

@@ -22,8 +22,8 @@ struct ModalShare {
 ///
 ///     z_k(t0 + τ) = exp(λ_k τ) z_k(t0) + Σ_±Ω P exp(±i Ω t0) (exp(±i Ω τ) - exp(λ_k τ))/(±i Ω - λ_k),
 ///
-/// written without the 0/0 at resonance. Undamped: λ = i ω_n. Damped: the eigenvalues of the
-/// first-order matrix (GSL), one of each complex pair.
+/// written without the 0/0 at resonance. Where damping does not couple the held modes, λ is known for each of them (i ω_n without
+/// damping). Else they are the eigenvalues of the first-order matrix (GSL), one of each complex pair.
 class StickPropagator {
  public:
   /// Throws std::runtime_error if the damped eigenvectors are too nearly parallel (a critically damped mode)
@@ -52,7 +52,7 @@ class StickPropagator {
  private:
   using Complex = std::complex<double>;
 
-  void set_undamped();
+  void set_uncoupled();
   void set_damped();
   void set_forcing();
   [[nodiscard]] Complex coordinate(std::size_t k, double t) const;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// The force that holds the contact of a case while it sticks: the one door from a case to its physics. Shear, damping and what each of
-/// them costs stay behind it.
+/// The force that holds the contact of a case while it sticks: the one door from a case to its physics. Shear, damping, a structure of
+/// one's own and what each of them costs stay behind it.
 ///
 /// Every force here is per unit amplitude of the base displacement, N/m, for the excitation frequency Ω and the duration T of the case.
 
@@ -12,20 +12,41 @@
 #include <vector>
 
 #include "stickslip/analytic/band_maximum.hpp"
+#include "stickslip/analytic/contact_model.hpp"
 #include "stickslip/analytic/force_maximum.hpp"
 #include "stickslip/analytic/modal_reaction.hpp"
 #include "stickslip/data/problem.hpp"
 
 namespace stickslip::analytic {
 
+/// What modes that are left out change of the force at most, N/m. In a Model they have, with the load of its wall, C = δ M + η K and ratios
+/// of the held modes,
+///
+///     T_n_tt + 2 ζ_n ω_n T_n_t + ω_n² T_n = -L_n h_tt + κ δ a_n h_t,      h = sin(Ω t),
+///
+/// and leave out of the force Σ a_n (T_n_tt + δ T_n_t). An impulse of 1 moves such a mode by no more than 1/ω_n, with a velocity of no more
+/// than 1, whatever its damping, and it follows a force sin(Ω t) or cos(Ω t) by no more than 2/(ω_n² - Ω²). So
+///
+///     |T_n_tt| ≤ |L_n| Ω³ (1/ω_n + 2 Ω/(ω_n² - Ω²)) + κ δ |a_n| Ω (1 + 2 Ω²/(ω_n² - Ω²)),
+///
+/// T_n_t likewise, and the sums over n follow from α = Σ a_n² and β = Σ (L_n/ω_n)² of HeldStructure::omitted by the inequality of Cauchy
+/// and Schwarz: without δ, Ω³ √(α β) (1 + 2 x/(1 - x²)), x = Ω/ω. In the steady vibration it is Ω³ √(α β) x/(1 - x²).
+struct OmittedForce {
+  double start_up{}, steady{};
+};
+/// Infinite where Ω is not below the lowest frequency left out. `structure`: of this case.
+[[nodiscard]] OmittedForce omitted_force(const data::Case& problem, const HeldStructure& structure);
+
 /// The reaction of one case.
 class StickReaction {
  public:
-  /// With the first numerics.modes() modes, Eq. (28): ModalReaction, or with damping DampedReaction. Throws what these throw, and
-  /// data::FieldError, naming beam.shear_stiffness, for shear together with damping.
+  /// With the first numerics.modes() modes, Eq. (28): ModalReaction, or with damping DampedReaction. The other modes of a Model, and of a
+  /// beam whose wall moves with its base, count with their residual mass. Throws what these and held_structure() throw, and
+  /// data::FieldError, naming beam.shear_stiffness, for shear together with damping or such a wall.
   explicit StickReaction(const data::Case& problem);
   /// With `modes` modes, the exact steady part and bounds of what is left out (StickResponse::omitted_transient_bound(),
-  /// timoshenko_omitted_transient() or DampedForce, whose conditions hold).
+  /// timoshenko_omitted_transient(), OmittedForce or DampedForce, whose conditions hold). The damping matrix of a Model couples
+  /// its modes: where some are left out, their bounds are OmittedForce and that of DampedForce together, an estimate.
   StickReaction(const data::Case& problem, int modes);
   /// With these modes of an undamped beam, those of the case.
   StickReaction(const data::Case& problem, ModalReaction reaction);
@@ -41,7 +62,7 @@ class StickReaction {
   [[nodiscard]] BandMaximum over(const FrequencyBand& band,
                                  DampedForcePart part = DampedForcePart::start_up) const;
   /// Bounds of the amplitude of the steady part of a damped case (DampedForce::steady_bounds()).
-  [[nodiscard]] Bounds damped_steady() const { return damped_force().steady_bounds(); }
+  [[nodiscard]] Bounds damped_steady() const;
   /// The least damping ratio of the modes that vibrate; 0 without damping.
   [[nodiscard]] double least_damping_ratio() const;
   /// 1/s, of the free vibration of the kept modes that decays least; 0 without damping, infinite without modes.
@@ -51,7 +72,7 @@ class StickReaction {
   struct Kept {
     std::optional<ModalReaction> undamped;
     std::optional<DampedReaction> damped, half;  // half as many modes of it, for what is left out
-    double omitted{};                            // of undamped, N/m
+    OmittedForce omitted;                        // besides that
   };
   StickReaction(const data::Case& problem, Kept kept);
   [[nodiscard]] static Kept kept_of(const data::Case& problem);
@@ -86,7 +107,7 @@ class StickReactions {
 struct ModesOfAll {
   int first{}, most{};
 };
-/// 200 to 800, with damping, which couples them, 40 to 160; the first is doubled until the highest mode is at 4 Ω or above. Where a
+/// 200 to 800; with damping, which couples them, or a wall that moves with the base 40 to 160; of a Model 60 to 240, or all there are; the first is doubled until the highest mode is at 4 Ω or above. Where a
 /// verdict alone counts, undamped ones begin with 40 or 4 numerics.modes. Throws data::FieldError, naming
 /// excitation.frequency_hz, where the most are too few.
 [[nodiscard]] ModesOfAll modes_of_all(const data::Case& problem, bool verdict_alone = false);
@@ -95,10 +116,10 @@ struct ModesOfAll {
 /// Kelvin-Voigt's alone. Infinite without damping at a natural frequency.
 [[nodiscard]] Bounds steady_reaction(const data::Case& problem);
 
-/// The frequencies of the first `count` modes with their shares in the reaction, undamped, ascending.
+/// The frequencies of the first `count` modes with their shares in the reaction, undamped, ascending. A Model may have fewer, one mass none.
 [[nodiscard]] std::vector<ModalForce> held_modes(const data::Case& problem, int count);
 
-/// One free vibration of the undamped beam with its tip held.
+/// One free vibration of the undamped structure with its contact held.
 struct FreeVibration {
   double angular_frequency{};  ///< rad/s
   double share{};              ///< its amplitude over the largest |f| of 2048 instants
@@ -106,7 +127,7 @@ struct FreeVibration {
 /// Those of the first numerics.modes() modes.
 [[nodiscard]] std::vector<FreeVibration> free_vibrations(const data::Case& problem);
 
-/// The axial force at which the held beam buckles, N (stick_buckling_load()), and whether that of the case is so large or larger.
+/// The axial force at which the held beam buckles, N (stick_buckling_load()), infinite for a Model, and whether that of the case is so large or larger.
 [[nodiscard]] double buckling_load(const data::Case& problem);
 [[nodiscard]] bool is_buckled(const data::Case& problem);
 
