@@ -20,6 +20,8 @@ Entry entry_of(const toml::node& node, std::string place) {
   if (const auto* integer = node.as_integer()) entry.value = integer->get();
   if (const auto* floating = node.as_floating_point()) entry.value = floating->get();
   if (const auto* text = node.as_string()) entry.value = text->get();
+  if (const auto* array = node.as_array()) entry.value = *array;
+  if (const auto* table = node.as_table()) entry.value = *table;
   return entry;
 }
 
@@ -76,6 +78,16 @@ double number_of(std::string_view path, const Magnitudes& magnitudes, const Entr
   }
   require_magnitude(path, magnitudes, number);
   return number;
+}
+
+std::vector<double> numbers_of(std::string_view path, const Magnitudes& magnitudes, const Entry& entry) {
+  const auto* list = std::get_if<toml::array>(&entry.value);
+  if (list == nullptr || list->empty())
+    throw FieldError(path, list == nullptr ? entry.description : "empty", "a list of numbers");
+  std::vector<double> numbers;
+  for (const toml::node& node : *list)
+    numbers.push_back(number_of(path, magnitudes, entry_of(node, entry.place)));
+  return numbers;
 }
 
 int flag_of(std::string_view path, const Entry& entry) {

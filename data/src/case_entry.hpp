@@ -18,10 +18,11 @@ namespace stickslip::data {
 
 /// A value as it was given, and where.
 struct Entry {
-  std::variant<std::monostate, bool, std::int64_t, double, std::string> value;  // monostate: none of these
-  std::string description;                                                      // for messages
-  std::string place;  // "paper.toml:3" or "override beam.length=1.8"
-  bool is_mean{};     // of a distribution of the key, which has no other value
+  std::variant<std::monostate, bool, std::int64_t, double, std::string, toml::array, toml::table>
+      value;                // monostate: none of these
+  std::string description;  // for messages
+  std::string place;        // "paper.toml:3" or "override beam.length=1.8"
+  bool is_mean{};           // of a distribution of the key, which has no other value
 };
 
 using Entries = std::map<std::string, Entry>;  // by "table.key"
@@ -45,6 +46,10 @@ using Entries = std::map<std::string, Entry>;  // by "table.key"
 
 /// 1 for true, 0 for false. Throws FieldError for anything else.
 [[nodiscard]] int flag_of(std::string_view path, const Entry& entry);
+
+/// The numbers of a list, each as number_of() takes it. Throws FieldError, naming `path`, for anything else.
+[[nodiscard]] std::vector<double> numbers_of(std::string_view path, const Magnitudes& magnitudes,
+                                             const Entry& entry);
 
 /// Throws FieldError.
 void require_magnitude(std::string_view path, const Magnitudes& magnitudes, double value);

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "case_entry.hpp"
+#include "case_model.hpp"
 #include "stickslip/data/toml_file.hpp"
 
 namespace stickslip::data {
@@ -171,14 +172,15 @@ std::string alternative_to(const Key& key) {
   if (key.path == "excitation.amplitude")
     return " or excitation.velocity_amplitude or excitation.acceleration_amplitude";
   if (key.path == "beam.length") return " or the table [model] in place of [beam]";
+  if (key.path == "model.mass") return " or model.mass_matrix";
   return "";
 }
 
 // Reads the numbers of a case, going on after a mistake with a number that is allowed.
 class NumbersReader {
  public:
-  NumbersReader(std::filesystem::path file, Entries entries, Mistakes& mistakes)
-      : file_(std::move(file)), entries_(std::move(entries)), mistakes_(mistakes) {
+  NumbersReader(std::filesystem::path file, Entries entries, Mistakes& mistakes, bool reads_files)
+      : file_(std::move(file)), entries_(std::move(entries)), mistakes_(mistakes), reads_files_(reads_files) {
     misses_keys_ = !mistakes_.any();  // else what is missing may have been meant
     collect([&] {
       try {
@@ -190,16 +192,28 @@ class NumbersReader {
       }
     });
     misses_keys_ = misses_keys_ && !mistakes_.any();
-    is_model_ = has_table("model");
+    kind_ = kind();
   }
 
   // The settings last, as their defaults follow from the rest.
   [[nodiscard]] Case read() {
     numbers_.numerics.duration = default_duration;
-    if (is_model_) numbers_.model = {.mass = 1.0, .stiffness = 0.0, .damping = 0.0, .normal_force = 1.0};
+    if (kind_ == StructureKind::mass)
+      numbers_.model = {.mass = 1.0, .stiffness = 0.0, .damping = 0.0, .normal_force = 1.0};
     for (const auto& [path, entry] : entries_)
-      collect([&, &path = path, &entry = entry] { require_of_structure(path, entry); });
+      collect([&, &path = path, &entry = entry] {
+        const Key& key = key_named(path);
+        if (!key.is_of(kind_))
+          throw InputError(entry.place + ": " +
+                           FieldError(path, entry.description, key.reason_against(kind_)).what());
+      });
+    if (kind_ == StructureKind::matrices) read_matrices();
     fill(false);
+    if (const auto found = entries_.find("damping.ratios"); found != entries_.end())
+      collect([&] {
+        numbers_.damping.ratios =
+            numbers_of(found->first, key_named("damping.ratio").magnitudes, found->second);
+      });
     while (collect([&] {
       (void)structure_of(numbers_), (void)FrictionLaw(numbers_.friction),
           require_magnitude(amplitude_keys.front(), key_named(amplitude_keys.front()).magnitudes,
@@ -216,28 +230,40 @@ class NumbersReader {
     collect([&] { problem = case_of(file_.stem().string(), numbers_); });
     mistakes_.throw_if_any();
     for (const Key& key : case_keys())
-      if (key.table() == "numerics" && key.is_of(is_model_) && key.member.get != nullptr &&
+      if (key.table() == "numerics" && key.is_of(kind_) && key.member.get != nullptr &&
           !entries_.contains(std::string(key.path)))
         problem->default_numerics.emplace(key.path);
     return *problem;
   }
 
  private:
-  [[nodiscard]] bool has_table(std::string_view table) const {
+  [[nodiscard]] bool has_key(const std::function<bool(const Key&)>& condition) const {
     return std::ranges::any_of(entries_, [&](const auto& entry) {
-      return key_named(entry.first).table() == table && !entry.second.is_mean;
+      return !entry.second.is_mean && condition(key_named(entry.first));
     });
   }
 
-  // Throws InputError for a key of another structure.
-  void require_of_structure(const std::string& path, const Entry& entry) const {
-    if (key_named(path).is_of(is_model_)) return;
-    throw InputError(entry.place + ": " + path + " is " + entry.description + ", but must be left out " +
-                     (is_model_ ? "where the table [model] is given" : "without a table [model]"));
+  // A normal force beside a beam is a mistake for its axial force.
+  [[nodiscard]] StructureKind kind() const {
+    if (has_key(is_of_matrices)) return StructureKind::matrices;
+    const bool is_beam = has_key([](const Key& key) { return key.table() == "beam"; });
+    const auto is_of_model = [is_beam](const Key& key) {
+      return key.table() == "model" && !(is_beam && key.path == "model.normal_force");
+    };
+    return has_key(is_of_model) ? StructureKind::mass : StructureKind::beam;
+  }
+
+  void read_matrices() {
+    numbers_.model.normal_force = 1.0;
+    numbers_.matrices = std::make_shared<const StructureMatrices>();
+    collect([&] { numbers_.matrices = matrices_of(file_, entries_, reads_files_); });
   }
 
   static double allowed(const Key& key) {
-    if (key.presence == Presence::optional) return key.member.get(CaseNumbers());
+    if (const double usual = key.presence == Presence::optional ? key.member.get(CaseNumbers()) : NAN;
+        !std::isnan(usual))
+      return usual;
+    if (key.presence == Presence::optional) return 0.0;
     return key.axis.may_be_zero ? 0.0 : 1.0;
   }
 
@@ -262,8 +288,7 @@ class NumbersReader {
     const bool states_amplitude = std::ranges::any_of(
         amplitude_keys, [&](std::string_view key) { return entries_.contains(std::string(key)); });
     for (const Key& key : case_keys()) {
-      if (key.presence == Presence::shorthand || !key.is_of(is_model_) ||
-          (key.table() == "numerics") != numerics)
+      if (key.presence == Presence::shorthand || !key.is_of(kind_) || (key.table() == "numerics") != numerics)
         continue;
       const std::string path(key.path);
       const auto found = entries_.find(path);
@@ -279,7 +304,10 @@ class NumbersReader {
         if (misses_keys_)
           collect([&] {
             throw InputError(file_.string() + ": " + path + " is missing, but a case must hold it" +
-                             alternative_to(key));
+                             alternative_to(key) +
+                             (key.presence == Presence::alternative && kind_ != StructureKind::beam
+                                  ? " or excitation.force"
+                                  : ""));
           });
       }
     }
@@ -290,13 +318,14 @@ class NumbersReader {
   Mistakes& mistakes_;
   CaseNumbers numbers_;
   std::set<std::string> mended_;
-  bool misses_keys_{}, is_model_{};
+  bool misses_keys_{}, reads_files_{};
+  StructureKind kind_{};
 };
 
 // What the document says, and instead of it the overrides. What is missing has the mean of its distribution, unless a
 // shorthand stands for it.
 Case case_of(const std::filesystem::path& file, const toml::table& document,
-             const std::vector<Override>& overrides) {
+             const std::vector<Override>& overrides, bool reads_files = true) {
   Mistakes mistakes;
   Entries entries = entries_of(file, document, mistakes);
   for (const auto& replacement : overrides) mistakes.collect([&] { apply(replacement, entries); });
@@ -305,7 +334,7 @@ Case case_of(const std::filesystem::path& file, const toml::table& document,
     Entries means = means_in(file, document);
     entries.merge(means);
   });
-  return NumbersReader(file, std::move(entries), mistakes).read();
+  return NumbersReader(file, std::move(entries), mistakes, reads_files).read();
 }
 
 std::filesystem::path cases_directory() { return data_directory() / "cases"; }
@@ -391,7 +420,7 @@ Case read_case(const std::filesystem::path& file, const std::vector<Override>& o
 }
 
 Case parse_case(const std::filesystem::path& file, const std::string& text) {
-  return case_of(file, parse_toml(file, text), {});
+  return case_of(file, parse_toml(file, text), {}, false);
 }
 
 Case load_case(const std::string& name_or_path, const std::vector<Override>& overrides) {

@@ -189,7 +189,26 @@ CaseNumbers numbers_in(const Case& problem) {
 
 // Whether a case has the number: not every section has every side.
 bool has(const CaseNumbers& numbers, const Key& key) {
-  return key.member.get != nullptr && key.is_of(numbers.has_model()) && !std::isnan(key.member.get(numbers));
+  return key.member.get != nullptr && key.is_of(numbers.kind()) && !std::isnan(key.member.get(numbers));
+}
+
+// Throws FieldError for numbers that no case, or not this structure, takes together.
+void require_consistent(const CaseNumbers& numbers) {
+  for (const char* path : {"excitation.constant_force", "initial.position", "initial.velocity"})
+    if (const double value = key_named(path).member.get(numbers); !std::isfinite(value))
+      throw FieldError(path, value, "a finite number (" + std::string(key_named(path).magnitudes.unit) + ")");
+  if (numbers.kind() != StructureKind::matrices) return;
+  const bool is_force = numbers.excitation.amplitude_of == AmplitudeOf::force;
+  if (is_force && numbers.matrices->load.empty())
+    throw FieldError("excitation.force", numbers.excitation.amplitude,
+                     "left out without model.load, the rows that it acts on");
+  if (!is_force && !numbers.matrices->load.empty())
+    throw FieldError("model.load", "given", "left out without excitation.force, which acts on it");
+  const DampingProperties& damping = numbers.damping;
+  if (!numbers.matrices->damping.empty() && Damping(damping).has_ratio())
+    throw FieldError(damping.ratios.empty() ? "damping.ratio" : "damping.ratios",
+                     damping.ratios.empty() ? damping.ratio : damping.ratios.front(),
+                     "left out where model.damping_matrix is given");
 }
 
 // k A/(1 + nu) of the section, to which k G A is proportional with G = E/(2 (1 + nu)).
@@ -222,14 +241,25 @@ const Key& stated_amplitude(const HarmonicExcitation& excitation) {
   return key_named(amplitude_keys.at(static_cast<std::size_t>(excitation.motion().amplitude_of)));
 }
 
-bool Key::is_of(bool model) const {
-  constexpr std::array<std::string_view, 2> model_tables{"model", "initial"}, beam_tables{"beam", "section"},
-      model_keys{"excitation.force", "excitation.constant_force"};
-  if (std::ranges::find(model_tables, table()) != model_tables.end() ||
-      std::ranges::find(model_keys, path) != model_keys.end())
-    return model;
-  return !model ||
-         (std::ranges::find(beam_tables, table()) == beam_tables.end() && path != "numerics.elements");
+bool Key::is_of(StructureKind kind) const {
+  const bool is_beam = kind == StructureKind::beam, is_mass = kind == StructureKind::mass;
+  if (table() == "beam" || table() == "section" || path == "numerics.elements") return is_beam;
+  if (table() == "damping") return !is_mass;
+  if (table() == "initial" || path == "excitation.constant_force") return is_mass;
+  if (path == "excitation.force" || path == "model.normal_force") return !is_beam;
+  if (table() == "model")
+    return kind == (member.get == nullptr ? StructureKind::matrices : StructureKind::mass);
+  return true;
+}
+
+std::string Key::reason_against(StructureKind kind) const {
+  if (path == "beam.axial_force") return "left out where [model] is given: its force is model.normal_force";
+  if (path == "model.normal_force") return "left out with a [beam], whose force is beam.axial_force";
+  if (kind == StructureKind::beam) return "left out without a table [model]";
+  if (kind == StructureKind::mass && table() == "damping")
+    return "left out with one mass, whose damper is model.damping";
+  return is_of(StructureKind::beam) ? "left out where the table [model] is given"
+                                    : "left out: it is for one mass alone";
 }
 
 std::span<const Key> case_keys() { return key_table::all; }
@@ -241,12 +271,13 @@ const Key& key_named(std::string_view path) {
 }
 
 Structure structure_of(const CaseNumbers& numbers) {
-  if (!numbers.has_model()) return Beam(numbers.beam);
+  if (numbers.kind() == StructureKind::beam) return Beam(numbers.beam);
   if (numbers.matrices == nullptr) return Model(numbers.model);
   return Model(numbers.model.normal_force, numbers.matrices);
 }
 
 Case case_of(const std::string& name, const CaseNumbers& numbers) {
+  require_consistent(numbers);
   return {.name = printable(name, 255),  // that of a file, which may hold anything
           .structure = structure_of(numbers),
           .motion = HarmonicExcitation(numbers.excitation),
@@ -265,7 +296,7 @@ std::map<std::string, double> numbers_of(const Case& problem) {
   const CaseNumbers all = numbers_in(problem);
   std::map<std::string, double> numbers;
   for (const Key& key : key_table::all)
-    if (has(all, key) &&
+    if (has(all, key) && !(key.member.is_flag && key.member.get(all) == 0.0) &&
         (key.presence != Presence::alternative || &key == &stated_amplitude(problem.excitation())))
       numbers.emplace(key.path, key.member.get(all));
   return numbers;
@@ -273,16 +304,21 @@ std::map<std::string, double> numbers_of(const Case& problem) {
 
 Case case_with(const std::string& name, const std::map<std::string, double>& numbers) {
   CaseNumbers all;
+  if (numbers.contains("model.normal_force"))
+    all.model = {.mass = 1.0, .stiffness = 0.0, .damping = 0.0, .normal_force = 1.0},
+    all.numerics.elements = 1;
   for (const Key& key : key_table::all) {
     const std::string path(key.path);
-    const bool must_be_there = key.presence != Presence::alternative && has(all, key);
+    const bool must_be_there = key.presence != Presence::alternative && !key.member.is_flag && has(all, key);
     if (must_be_there || numbers.contains(path)) key.member.set(all, numbers.at(path));
   }
   return case_of(name, all);
 }
 
 double value_of(const Case& problem, std::string_view path) {
-  return key_named(path).member.get(numbers_in(problem));
+  const CaseNumbers numbers = numbers_in(problem);
+  const Key& key = key_named(path);
+  return has(numbers, key) ? key.member.get(numbers) : std::numeric_limits<double>::quiet_NaN();
 }
 
 namespace {
@@ -305,14 +341,9 @@ CaseNumbers numbers_with(const Case& problem,
   for (const auto& [path, value] : values) {
     const Key& key = key_named(path);
     const bool may_come = key.name() == "poissons_ratio" && before.section.is_given();
-    if (!key.is_of(before.has_model()))
-      throw FieldError(
-          path, value,
-          std::string("left out: the case has ") + (before.has_model() ? "a [model]" : "a [beam]"));
+    if (!key.is_of(before.kind())) throw FieldError(path, value, key.reason_against(before.kind()));
     if (!has(before, key) && !may_come)
-      throw FieldError(path, value,
-                       before.has_model() ? "left out: the case is not one mass"
-                                          : "left out: the case has no [section] with it");
+      throw FieldError(path, value, "left out: the case has no [section] with it");
     key.member.set(after, value);
   }
   after.section.require_valid();
@@ -321,7 +352,8 @@ CaseNumbers numbers_with(const Case& problem,
     if (!has_value("beam.second_moment_of_area"))
       after.beam.second_moment_of_area = after.section.second_moment_of_area();
   }
-  if (before.has_model()) return with_coefficients(after, has_value("friction.kinetic_coefficient"));
+  if (before.kind() != StructureKind::beam)
+    return with_coefficients(after, has_value("friction.kinetic_coefficient"));
   if (has_value("beam.shear_stiffness"))
     after.section.poissons_ratio = Section{}.poissons_ratio;
   else if (has_value("beam.poissons_ratio"))

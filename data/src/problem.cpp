@@ -73,7 +73,7 @@ Model::Model(const ModelProperties& mass) : properties_(mass) {
                                                                           .base = {0},
                                                                           .fixed = {},
                                                                           .contact = {{1}},
-                                                                          .load = {},
+                                                                          .load = {{1}},
                                                                           .files = {}});
 }
 

@@ -93,6 +93,10 @@ std::vector<data::Override> overrides_of(const std::map<std::string, double>& nu
   for (const auto& [key, value] : numbers) {
     // In TOML an integer is no float: 2 and 2.0 differ, and 1e+05 is none.
     const bool is_integer = data::key_named(key).member.is_integer;
+    if (data::key_named(key).member.is_flag) {
+      overrides.push_back({key, "true"});
+      continue;
+    }
     std::string text = is_integer ? std::to_string(static_cast<int>(value)) : data::shortest_text(value);
     if (!is_integer && text.find_first_of(".en") == std::string::npos) text += ".0";
     overrides.push_back({key, text});

@@ -232,9 +232,9 @@ TEST_F(CaseFile, IsFoundByNameOrPath) {
             "none.toml: cannot be opened for reading");
   EXPECT_TRUE(holds(error_message([] { return data::read_case("/dev/zero"); }),
                     "/dev/zero: is larger than the 1000000"));
-  EXPECT_TRUE(holds(
-      error_message([] { return data::load_case("papr"); }),
-      "case papr is unknown (did you mean paper?), but must be a file or one of damped, near-buckling, "));
+  EXPECT_TRUE(
+      holds(error_message([] { return data::load_case("papr"); }),
+            "case papr is unknown (did you mean paper?), but must be a file or one of damped, den-hartog, "));
 }
 
 TEST_F(CaseFile, IsFoundInTheFolderOfTheEnvironment) {

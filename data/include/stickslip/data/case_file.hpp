@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// Cases as TOML files: the tables [beam], [friction], [excitation], [numerics], [damping], [contact] and [wall], whose
-/// keys are those of key.hpp. A value is a number in SI units, or a text of a number and a unit ("1.5 mm").
+/// Cases as TOML files: the tables [beam] or [model], [friction], [excitation], [numerics], [damping], [contact], [wall] and
+/// [initial], whose keys are those of key.hpp. A value is a number in SI units, or a text of a number and a unit ("1.5 mm").
 /// These keys may be missing:
 ///   those of [damping], [contact] and [wall], friction.viscous, beam.axial_direction, beam.shear_stiffness: they have the
 ///     defaults of problem.hpp;
@@ -15,6 +15,10 @@
 ///   beam.material, a name of list_materials(): beam.density, beam.youngs_modulus;
 ///   beam.poissons_ratio, with a section: beam.shear_stiffness;
 ///   excitation.velocity_amplitude (m/s) or acceleration_amplitude (m/s^2): excitation.amplitude, which takes their units, too.
+/// [model] has the numbers of one mass, or in place of mass, stiffness and damping of the matrices of a structure, in files in the
+/// folder of the case or below: mass_matrix, stiffness_matrix, damping_matrix (Matrix Market, or with dofs those of CalculiX), in the
+/// units "m" (m, kg, s) or "mm" (mm, t, s; a row that is a rotation is then that times 1 mm), and base, fixed, contact and load, which
+/// name rows or nodes.
 /// A table [uncertainty] (uncertainty.hpp) gives keys a distribution; one that is missing elsewhere has the mean
 /// of its distribution.
 
@@ -71,7 +75,8 @@ void require_magnitude(std::string_view key, double value, const std::string& pl
 /// problem types do not know.
 [[nodiscard]] Case read_case(const std::filesystem::path& file, const std::vector<Override>& overrides = {});
 
-/// The case that a file with this text holds. Throws what read_case() throws.
+/// The case that a file with this text holds, but for matrices: the files that it names are not read. Throws what read_case()
+/// throws.
 [[nodiscard]] Case parse_case(const std::filesystem::path& file, const std::string& text);
 
 /// find_case, then read_case.

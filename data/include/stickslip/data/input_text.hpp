@@ -21,6 +21,7 @@ struct Limit {
 namespace limit {
 inline constexpr Limit case_bytes{"bytes of a case", 1'000'000},
     case_dots{"dots in a case, as each one in a key opens a table", 5000},
+    matrix_bytes{"bytes of a file of a structure, as of its mass matrix", 1'000'000'000},
     package_bytes{"bytes of `datapackage.json`", 10'000'000},
     package_levels{"levels of nesting in `datapackage.json`", 100},
     table_bytes{"bytes of a table, also once decompressed", 50'000'000},
@@ -28,8 +29,9 @@ inline constexpr Limit case_bytes{"bytes of a case", 1'000'000},
     map_values{"values along an axis of a map", 2000},
     number_length{"characters of a number with its unit", 1000},
     mistakes{"mistakes of a case, after which the rest is not read", 20};
-inline constexpr std::array all{case_bytes,    case_dots, package_bytes, package_levels, table_bytes,
-                                table_columns, map_bytes, map_values,    number_length,  mistakes};
+inline constexpr std::array all{case_bytes,     case_dots,     matrix_bytes,  package_bytes,
+                                package_levels, table_bytes,   table_columns, map_bytes,
+                                map_values,     number_length, mistakes};
 }  // namespace limit
 
 /// The bytes of a file, of which there may be `most`. Throws InputError, naming the file, if it cannot be

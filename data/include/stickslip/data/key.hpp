@@ -18,6 +18,9 @@
 
 namespace stickslip::data {
 
+/// What the structure of a case is given by.
+enum class StructureKind { beam, mass, matrices };
+
 /// Every number of a case, before the problem types check it.
 struct CaseNumbers {
   BeamProperties beam;  ///< unless there is a `model`
@@ -33,8 +36,12 @@ struct CaseNumbers {
   InitialState initial;
   double constant_force{};
 
-  /// Whether the structure is a Model: it then has a normal force.
-  [[nodiscard]] bool has_model() const noexcept { return !std::isnan(model.normal_force); }
+  /// A Model has a normal force.
+  [[nodiscard]] StructureKind kind() const noexcept {
+    if (std::isnan(model.normal_force) && std::isnan(model.mass) && matrices == nullptr)
+      return StructureKind::beam;
+    return matrices == nullptr ? StructureKind::mass : StructureKind::matrices;
+  }
 };
 
 /// Magnitudes that a quantity may have unless it is 0: far wider than any beam, and so narrow that no product
@@ -95,7 +102,9 @@ struct Key {
   /// A number of the case that is no integer: it may be uncertain.
   [[nodiscard]] bool is_real() const { return member.get != nullptr && !member.is_integer; }
   /// Whether a case with such a structure can have it.
-  [[nodiscard]] bool is_of(bool model) const;
+  [[nodiscard]] bool is_of(StructureKind kind) const;
+  /// Why it cannot: "left out with one mass, whose damper is model.damping".
+  [[nodiscard]] std::string reason_against(StructureKind kind) const;
 };
 
 /// Every key of a case file, in the order of the manual.
@@ -118,14 +127,15 @@ struct Key {
 /// The structure with these numbers. Throws FieldError.
 [[nodiscard]] Structure structure_of(const CaseNumbers& numbers);
 
-/// The case with these numbers. Throws FieldError for a number that the problem types do not allow.
+/// The case with these numbers. Throws FieldError for a number that the problem types do not allow, and where a force and the rows
+/// that it acts on are not given together, or a damping ratio besides a damping matrix.
 [[nodiscard]] Case case_of(const std::string& name, const CaseNumbers& numbers);
 
-/// The numbers of a case by their paths; without the keys of a section that it was not given by, and with the amplitude that it
-/// states.
+/// The numbers of a case by their paths; without the keys of a section that it was not given by and without flags that are not set,
+/// and with the amplitude that it states.
 [[nodiscard]] std::map<std::string, double> numbers_of(const Case& problem);
 
-/// The case with these numbers_of(). Throws std::out_of_range for one that is missing, and FieldError.
+/// The case of a beam or one mass with these numbers_of(). Throws std::out_of_range for one that is missing, and FieldError.
 [[nodiscard]] Case case_with(const std::string& name, const std::map<std::string, double>& numbers);
 
 /// The value of a key in SI units; NaN for a key that the case does not have, as of a section that it was not

@@ -411,11 +411,18 @@ struct FeatureKey {
 /// The case with other parts, each known by its type: with(problem, excitation, damping). Another beam has no section.
 template <typename... Part>
 [[nodiscard]] Case with(Case problem, const Part&... parts) {
-  const auto all = std::tie(std::get<Beam>(problem.structure), problem.contact.friction,
-                            std::get<HarmonicExcitation>(problem.motion), problem.numerics, problem.damping,
-                            problem.contact.compliance, problem.contact.wall);
-  ((std::get<Part&>(all) = parts), ...);
-  if constexpr ((std::is_same_v<Part, Beam> || ...)) problem.section = {};
+  const auto set = [&problem](const auto& part) {
+    using Type = std::remove_cvref_t<decltype(part)>;
+    if constexpr (std::is_same_v<Type, Beam>) {
+      problem.structure = part;
+      problem.section = {};
+    } else {
+      std::get<Type&>(std::tie(problem.contact.friction, std::get<HarmonicExcitation>(problem.motion),
+                               problem.numerics, problem.damping, problem.contact.compliance,
+                               problem.contact.wall)) = part;
+    }
+  };
+  (set(parts), ...);
   return problem;
 }
 
