@@ -2,6 +2,7 @@
 #include "case_options.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 
@@ -132,12 +133,38 @@ std::string material_text(const data::Beam& beam) {
 
 }  // namespace
 
-std::string beam_line(const data::Case& problem) {
+namespace {
+
+std::string beam_text(const data::Case& problem) {
   const data::Beam& beam = problem.beam();
   const double share = 100.0 * problem.normal_force() / analytic::buckling_load(problem);
-  return fmt::format("{}: {}{}, {}, P = {:.6g} N ({}), mu {:.4g}/{:.4g}\n", problem.name,
-                     length_text(beam.length()), section_text(problem), material_text(beam),
-                     beam.axial_force(), share < 0.0 ? "tension" : fmt::format("{:.3g} % of buckling", share),
+  return fmt::format("{}{}, {}, P = {:.6g} N ({})", length_text(beam.length()), section_text(problem),
+                     material_text(beam), beam.axial_force(),
+                     share < 0.0 ? "tension" : fmt::format("{:.3g} % of buckling", share));
+}
+
+std::string model_text(const data::Model& model) {
+  if (const auto& one = model.properties(); model.is_mass())
+    return fmt::format("one mass {:.4g} kg, spring {:.4g} N/m, damper {:.4g} N s/m, N = {:.6g} N", one.mass,
+                       one.stiffness, one.damping, one.normal_force);
+  const data::StructureMatrices& matrices = model.matrices();
+  std::vector<int> rows;
+  for (const data::WeightedRow& of : matrices.contact) rows.push_back(of.row + 1);
+  return fmt::format(
+      "matrices of {} rows, {} of the base, contact {}, N = {:.6g} N, which is not in the matrices unless "
+      "they "
+      "hold it",
+      matrices.rows, matrices.base.size(),
+      rows.size() > 3 ? fmt::format("on {} rows", rows.size())
+                      : fmt::format("row{} {}", rows.size() > 1 ? "s" : "", fmt::join(rows, ", ")),
+      model.normal_force());
+}
+
+}  // namespace
+
+std::string case_line(const data::Case& problem) {
+  return fmt::format("{}: {}, mu {:.4g}/{:.4g}\n", problem.name,
+                     problem.model() == nullptr ? beam_text(problem) : model_text(*problem.model()),
                      problem.contact.friction.static_coefficient(),
                      problem.contact.friction.kinetic_coefficient());
 }
@@ -152,10 +179,10 @@ ShownAmplitude shown_amplitude(const data::Case& problem) {
 void add_excitation(Answer& answer, const data::Case& problem,
                     const std::optional<analytic::FrequencyBand>& band) {
   const auto& excitation = problem.excitation();
-  const bool falls = band && excitation.unit_amplitude() != 1.0;
+  const bool has_none = excitation.is_force() || (band && excitation.unit_amplitude() != 1.0);
   answer.add_members(band ? Json{{"band_hz", {band->from_hz, band->to_hz}}}
                           : Json{{"frequency_hz", excitation.frequency_hz()}});
-  answer.add_members({{"amplitude_m", falls ? Json() : Json(excitation.amplitude())},
+  answer.add_members({{"amplitude_m", has_none ? Json() : Json(excitation.amplitude())},
                       {"stated_as", data::stated_amplitude(excitation).name()},
                       {"stated_amplitude", excitation.motion().amplitude}});
 }
@@ -165,7 +192,8 @@ std::string conditions_of(const data::Case& problem, const std::optional<analyti
   const auto [unit, scale, column] = shown_amplitude(problem);
   std::string amplitude =
       fmt::format("{} {}", exact(scale * problem.excitation().motion().amplitude).text, unit);
-  if (unit != "m" && !band) amplitude += fmt::format(" ({} m)", exact(problem.excitation().amplitude()).text);
+  if (unit != "m" && !band && !problem.excitation().is_force())
+    amplitude += fmt::format(" ({} m)", exact(problem.excitation().amplitude()).text);
   return fmt::format(
       "{} Hz, {}, 0 to {} s",
       band ? text(band->from_hz) + " to " + text(band->to_hz) : text(problem.excitation().frequency_hz()),
@@ -186,15 +214,49 @@ void add_bending(Answer& answer, const data::Beam& beam, const studies::Bending&
                   {finite_json(spring), std::isfinite(spring) ? "below " + rounded(spring, 3).text : "any"}});
 }
 
+namespace {
+
+Json structure_json(const data::Model& model) {
+  if (model.is_mass()) return Json::object({{"kind", "mass"}});
+  const data::StructureMatrices& matrices = model.matrices();
+  const auto rows = [](const std::vector<int>& of) {
+    Json json = Json::array();
+    for (const int row : of) json.push_back(row + 1);
+    return json;
+  };
+  const auto weighted = [](const std::vector<data::WeightedRow>& of) {
+    Json json = Json::array();
+    for (const auto& [row, weight] : of) json.push_back({{"row", row + 1}, {"weight", weight}});
+    return json;
+  };
+  Json files = Json::array();
+  for (const auto& [key, name, digest] : matrices.files)
+    files.push_back({{"key", key}, {"name", name}, {"sha256", digest}});
+  return {{"kind", "matrices"},
+          {"rows", matrices.rows},
+          {"base", rows(matrices.base)},
+          {"fixed", rows(matrices.fixed)},
+          {"contact", weighted(matrices.contact)},
+          {"load", weighted(matrices.load)},
+          {"files", files}};
+}
+
+}  // namespace
+
 Json problem_json(const data::Case& problem) {
   Json tables;
   const auto numbers = data::numbers_of(problem);
   for (const data::Key& key : data::case_keys())
     if (const auto found = numbers.find(std::string(key.path)); found != numbers.end())
-      tables[std::string(key.table())][std::string(key.name())] =
-          key.member.is_integer ? Json(static_cast<int>(found->second)) : finite_json(found->second);
+      tables[std::string(key.table())][std::string(key.name())] = key.member.is_flag ? Json(true)
+                                                                  : key.member.is_integer
+                                                                      ? Json(static_cast<int>(found->second))
+                                                                      : finite_json(found->second);
   tables["excitation"]["amplitude"] = problem.excitation().amplitude();
   tables["excitation"]["stated_as"] = data::stated_amplitude(problem.excitation()).name();
+  if (const auto& ratios = problem.damping.properties().ratios; !ratios.empty())
+    tables["damping"]["ratios"] = ratios;
+  if (const data::Model* model = problem.model()) tables["structure"] = structure_json(*model);
   return tables;
 }
 

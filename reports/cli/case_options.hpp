@@ -76,7 +76,7 @@ void add_excitation(Answer& answer, const data::Case& problem,
                     const std::optional<analytic::FrequencyBand>& band = {});
 
 /// The line "NAME: 80 mm x 10 mm x 2 mm, abs, P = 5 N (12 % of buckling), mu 0.4/0.3": what the program has understood.
-[[nodiscard]] std::string beam_line(const data::Case& problem);
+[[nodiscard]] std::string case_line(const data::Case& problem);
 
 /// "30 Hz, 0.001 m, 0 to 2 s", "30 Hz, 0.5 g (0.000138004 m), 0 to 2 s", or with the frequencies of a band.
 [[nodiscard]] std::string conditions_of(const data::Case& problem,
@@ -86,7 +86,8 @@ void add_excitation(Answer& answer, const data::Case& problem,
 void add_bending(Answer& answer, const data::Beam& beam, const studies::Bending& bending,
                  const std::optional<double>& steady_draw_back = {});
 
-/// All numbers of the case in SI units, those of default_numerics() among them, by tables and keys; null for one that is infinite.
+/// All numbers of the case in SI units, those of default_numerics() among them, by tables and keys; null for one that is infinite. A
+/// structure that is no beam is told in `structure`, its rows from 1.
 [[nodiscard]] Json problem_json(const data::Case& problem);
 
 /// Adds a periodic motion, or the reason why there is none; its members stand in an object with the key, if there is one.

@@ -21,6 +21,12 @@ struct CaseLine {
 /// The steel blade of the tutorial.
 [[nodiscard]] std::vector<CaseLine> steel_blade();
 
+/// A mass on a spring and a damper.
+[[nodiscard]] std::vector<CaseLine> one_mass();
+
+/// A structure in files that the user has.
+[[nodiscard]] std::vector<CaseLine> matrices();
+
 /// Without the sides that a section of this shape does not have, unless --set gives them: the reader refuses those.
 [[nodiscard]] std::vector<CaseLine> for_shape(std::vector<CaseLine> lines);
 

@@ -25,9 +25,13 @@ struct CriterionOptions {
 std::vector<LabelledValue> rows_of(const data::Case& problem, const analytic::Criterion& criterion) {
   std::vector<LabelledValue> rows{
       {"largest |f| / N", "force_max_N", between(criterion.force_max)},
-      {"friction limit mu_s P / N", "friction_limit_N", exact(criterion.friction_limit)},
-      {"", "critical_amplitude_m", middle(criterion.critical_amplitude)},
-      {"critical amplitude / m", "critical_amplitude_bounds_m", between(criterion.critical_amplitude)}};
+      {"friction limit mu_s P / N", "friction_limit_N", exact(criterion.friction_limit)}};
+  if (problem.excitation().is_force())
+    rows.push_back({"", "critical_amplitude_m", {nullptr, ""}});
+  else
+    rows.insert(rows.end(), {{"", "critical_amplitude_m", middle(criterion.critical_amplitude)},
+                             {"critical amplitude / m", "critical_amplitude_bounds_m",
+                              between(criterion.critical_amplitude)}});
   if (const auto [unit, scale, column] = shown_amplitude(problem); unit != "m") {
     const auto stated = 1.0 / problem.excitation().unit_amplitude() * criterion.critical_amplitude;
     rows.push_back({fmt::format("critical amplitude / {}", unit),
@@ -62,7 +66,8 @@ Value steady_force(const std::optional<studies::SteadyState>& steady) {
   return lower == upper ? rounded(lower, 7) : middle(steady->force);
 }
 
-void add_steady_state(Answer& answer, const std::optional<studies::SteadyState>& steady, double duration) {
+void add_steady_state(Answer& answer, const std::optional<studies::SteadyState>& steady, double duration,
+                      bool is_force) {
   const Value force = steady_force(steady);
   const std::string end = !steady || steady->reached
                               ? ""
@@ -74,7 +79,7 @@ void add_steady_state(Answer& answer, const std::optional<studies::SteadyState>&
                        {{"force_N", force.json},
                         {"reached", steady->reached},
                         {"force_bounds_N", between(steady->force).json},
-                        {"critical_amplitude_m", middle(steady->critical_amplitude).json},
+                        {"critical_amplitude_m", is_force ? Json() : middle(steady->critical_amplitude).json},
                         {"verdict", to_string(steady->verdict)}}}});
 }
 
@@ -111,7 +116,12 @@ Answer answer_for_one(const data::Case& problem, const studies::CriterionAnswer&
                           {"mass_proportional_per_s", damping.mass_proportional()}}}});
   answer.add_line(conditions_of(problem) + (is_damped ? ", with damping\n" : "\n"));
   add_criteria(answer, problem, found);
-  add_steady_state(answer, found.steady, problem.numerics.duration());
+  if (const auto& used = found.modes_used)
+    answer.add_row({"held modes used",
+                    "modes_used",
+                    {{{"modes", used->modes}, {"residual_mass_share", used->residual_share}},
+                     fmt::format("{}, residual mass {:.2g} %", used->modes, 100.0 * used->residual_share)}});
+  add_steady_state(answer, found.steady, problem.numerics.duration(), problem.excitation().is_force());
   add_outlook(answer, found, problem.excitation().frequency_hz());
   if (found.bending) add_bending(answer, problem.beam(), *found.bending, found.steady_draw_back);
   answer.add_line(fmt::format("\nThe largest |f| is that of a start-up {}.",
@@ -165,12 +175,14 @@ Answer table_of_cases(const CriterionOptions& options, Outputs& outputs) {
     for (const auto& point : points) {
       const data::Case problem = case_of(one, point);
       const auto found = analytic::criterion_with_all_modes(problem, 1e-10);
+      const bool is_force = problem.excitation().is_force();
       auto& row = table.rows.emplace_back(std::vector{word(problem.name)});
       for (const data::Override& key : point) row.push_back(word(key.value));
       row.insert(
           row.end(),
-          {exact(problem.excitation().frequency_hz()), exact(problem.excitation().amplitude()),
-           middle(found.force_max), exact(found.friction_limit), middle(found.critical_amplitude),
+          {exact(problem.excitation().frequency_hz()),
+           is_force ? Value{nullptr, "-"} : exact(problem.excitation().amplitude()), middle(found.force_max),
+           exact(found.friction_limit), is_force ? Value{nullptr, "-"} : middle(found.critical_amplitude),
            problem.excitation().amplitude() > 0.0 ? middle(studies::margin_of(found)) : Value{nullptr, "-"},
            word(to_string(found.verdict)), exact(found.force_max.lower), exact(found.force_max.upper),
            steady_force(studies::steady_state(problem))});

@@ -118,7 +118,10 @@ Answer design_answer(const data::Case& problem, const studies::Design& design) {
   answer.add_members({{"evaluations", evaluations}});
   answer.add_row(
       {"natural frequencies in the band", "natural_frequencies_in_band", resonances_of(resonances)});
-  if (problem.model() != nullptr) return answer;
+  if (problem.model() != nullptr) {  // it has neither
+    answer.add_members({{"lengths_m", nullptr}, {"axial_forces_N", nullptr}});
+    return answer;
+  }
   const bool is_one_frequency = design.band.from_hz == design.band.to_hz;
   add_scan(answer, fmt::format("length / m at P = {} N", data::shortest_text(problem.beam().axial_force())),
            "lengths_m", design.lengths, is_one_frequency);

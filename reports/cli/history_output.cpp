@@ -161,7 +161,7 @@ void HistoryOutput::add(const studies::HistoryRow& row, long step) {
   // The header not before, so that an error in the problem writes nothing.
   outputs_.file("--output")
       .write((rows_++ == 0
-                  ? fmt::format("# {}\n{}", outputs_.heading("Motion of the tip"), column_names(is_beam_))
+                  ? fmt::format("# {}\n{}", outputs_.heading("Motion of the contact"), column_names(is_beam_))
                   : "") +
              csv_line(row, is_beam_));
   if (drawing_) drawing_->add(row);

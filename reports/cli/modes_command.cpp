@@ -53,10 +53,13 @@ Answer modes_answer(const data::Case& problem, const ModesOptions& options,
                     const std::vector<studies::EstimatedFrequency>& frequencies) {
   Answer answer;
   answer.add_members({{"state", options.state}, {"method", options.method}});
-  if (options.is_mesh()) answer.add_members({{"elements", problem.numerics.elements()}});
-  answer.add_line(fmt::format(
-      "{} state, {}\n\nmode  frequency / Hz", options.state,
-      options.is_mesh() ? fmt::format("{} finite elements", problem.numerics.elements()) : "closed form"));
+  if (options.is_mesh() && problem.model() == nullptr)
+    answer.add_members({{"elements", problem.numerics.elements()}});
+  answer.add_line(fmt::format("{} state, {}\n\nmode  frequency / Hz", options.state,
+                              !options.is_mesh() ? "closed form"
+                              : problem.model() != nullptr
+                                  ? "all rows of the matrices"
+                                  : fmt::format("{} finite elements", problem.numerics.elements())));
   Json hz = Json::array(), errors = Json::array();
   for (const auto& frequency : frequencies) {
     hz.push_back(frequency.hz);

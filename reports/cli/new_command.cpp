@@ -23,6 +23,7 @@ struct NewOptions {
   std::string file;
   std::vector<std::string> overrides;
   bool ask{};
+  std::string model;
 };
 
 // Throws data::InputError if the lines are no case.
@@ -64,7 +65,9 @@ Answer new_case(const NewOptions& options, Outputs& outputs) {
   std::error_code unusable;  // which opening it reports
   if (std::filesystem::exists(options.file, unusable))
     throw data::FieldError("FILE", data::printable(options.file), "a file that does not exist yet");
-  std::vector<CaseLine> lines = steel_blade();
+  std::vector<CaseLine> lines = options.model == "mass"       ? one_mass()
+                                : options.model == "matrices" ? matrices()
+                                                              : steel_blade();
   for (const std::string& text : options.overrides) set(lines, data::Override::parse(text));
   const bool at_a_terminal =
       options.overrides.empty() && ::isatty(STDIN_FILENO) == 1 && ::isatty(STDERR_FILENO) == 1;
@@ -73,7 +76,8 @@ Answer new_case(const NewOptions& options, Outputs& outputs) {
   outputs.open({{"FILE", options.file}});
   outputs.write("FILE", [&] { return template_text(for_shape(lines), options.file); });
   Answer answer;
-  answer.add_line(fmt::format("{0} written; whether it slips: stickslip criterion {0}", options.file));
+  answer.add_line(fmt::format("{0} written; whether it slips{1}: stickslip criterion {0}", options.file,
+                              options.model == "matrices" ? ", once its files are beside it" : ""));
   return answer;
 }
 
@@ -85,6 +89,9 @@ void add_options(CLI::App& command, NewOptions& options) {
       command, options.overrides,
       "A value of the new case, as in 'beam.length=250 mm'; repeatable. On a terminal, without --set, "
       "the values are asked for");
+  command
+      .add_option("--model", options.model, "A structure in place of a beam: one mass, or matrices in files")
+      ->check(one_of({"mass", "matrices"}));
   command.add_flag("--ask", options.ask, "Ask for the values that --set does not give, terminal or not");
 }
 
@@ -94,7 +101,8 @@ void add_new_command(CLI::App& app) {
   add<NewOptions>(
       app, {.name = "new",
             .help = "Write a case file with comments, to start from",
-            .examples = {"stickslip new my-tube.toml --set section.shape=tube --set 'beam.length=1.2 m'"},
+            .examples = {"stickslip new my-tube.toml --set section.shape=tube --set 'beam.length=1.2 m'",
+                         "stickslip new my-clip.toml --model matrices"},
             .add_options = add_options,
             .run = new_case});
 }

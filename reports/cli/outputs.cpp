@@ -69,7 +69,7 @@ Outputs::Outputs(const CLI::App& command)
 Outputs::~Outputs() = default;
 
 void Outputs::set_case(const data::Case& problem) {
-  beam_ = beam_line(problem);
+  case_line_ = case_line(problem);
   head_.update({{"case", problem.name}, {"problem", problem_json(problem)}});
 }
 
@@ -200,7 +200,7 @@ void Outputs::print(Answer answer) {
   if (is_json_)
     fmt::print("{}", json_text(head_));
   else if (!takes_standard_output())
-    fmt::print("{}", data::plain_text(beam_ + answer.text));
+    fmt::print("{}", data::plain_text(case_line_ + answer.text));
 }
 
 }  // namespace stickslip::cli

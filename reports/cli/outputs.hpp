@@ -97,8 +97,8 @@ class Outputs {
 
   std::string command_;
   bool is_json_{}, is_quiet_{};
-  std::string beam_;  // of the case
-  Json head_;         // of the answer in JSON
+  std::string case_line_;
+  Json head_;  // of the answer in JSON
   report::Look look_;
   std::list<Open> files_;
   std::optional<report::Progress> progress_;

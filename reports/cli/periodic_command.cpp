@@ -23,7 +23,7 @@ struct PeriodicOptions {
 
 // In the order of analytic::NoMotion.
 constexpr std::array<std::string_view, 3> reasons{
-    "the tip sticks", "the tip slides steadily",
+    "the contact sticks", "the contact slides steadily",
     "no periodic motion is found; a longer --settle may help, for one that is unstable a shorter one"};
 
 std::string reason_of(const studies::Cycle& cycle) {
@@ -46,7 +46,7 @@ std::vector<LabelledValue> rows_of(const studies::Cycle& cycle) {
     moduli.push_back(fmt::format("{:.6g}", std::abs(motion.multipliers[i])));
   return {{"period / s", "period_s", rounded(motion.period, 10)},
           {"frequency / Hz", "frequency_hz", rounded(1.0 / motion.period, 10)},
-          {"tip, peak to peak / m", "tip_peak_to_peak_m", rounded(cycle.peak_to_peak, 7)},
+          {"contact, peak to peak / m", "tip_peak_to_peak_m", rounded(cycle.peak_to_peak, 7)},
           {"largest sliding velocity / (m/s)", "largest_sliding_velocity_m_per_s",
            rounded(cycle.largest_sliding, 7)},
           {"share of stick", "stick_share", rounded(cycle.stick_share, 4)},

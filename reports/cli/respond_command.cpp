@@ -47,7 +47,7 @@ Answer respond_answer(const data::Case& problem, const RespondOptions& options, 
   answer.add_line(
       fmt::format("{} rows written to {}{}", output.rows(), options.history.output,
                   output.row_step() > 1 ? fmt::format(", one in {} time steps", output.row_step()) : ""));
-  answer.add_line(fmt::format("largest |f| {:.4g} N, largest deflection of the tip {:.4g} m; {}",
+  answer.add_line(fmt::format("largest |f| {:.4g} N, largest deflection of the contact {:.4g} m; {}",
                               output.largest_force(), output.largest_deflection(),
                               problem.contact.compliance.is_smooth() ? "a smooth law slips all the time"
                               : history.first_slip

@@ -73,7 +73,8 @@ void add_verdict(Answer& answer, const studies::Squeal& squeal) {
                       {"verdict", stability}});
   answer.text += "\nsteady sliding is " + stability;
   if (squeal.diverges())
-    answer.text += fmt::format(": the tip runs away by {} 1/s without vibration (divergence)", fastest.text);
+    answer.text +=
+        fmt::format(": the contact runs away by {} 1/s without vibration (divergence)", fastest.text);
   else if (!squeal.is_stable())
     answer.text += fmt::format(": {:.6g} Hz grows by {} 1/s",
                                squeal.fastest.imag() / (2.0 * std::numbers::pi), fastest.text);
@@ -92,8 +93,8 @@ Answer squeal_answer(const studies::Squeal& squeal, const studies::Cycle& cycle)
   answer.add_line(fmt::format("wall at {} m/s\n", data::shortest_text(squeal.speed)));
   answer.add_row("steady sliding", {"closed form", "finite elements"});
   answer.add_row(
-      {"friction force on beam / N", "friction_force_on_beam_N", rounded(squeal.friction_force, 7)});
-  answer.add_row("deflection of the tip / m", {tip.text, mesh.text});
+      {"friction force on structure / N", "friction_force_on_beam_N", rounded(squeal.friction_force, 7)});
+  answer.add_row("deflection of the contact / m", {tip.text, mesh.text});
   answer.add_members({{"tip_displacement_m", tip.json}, {"finite_element_tip_displacement_m", mesh.json}});
   answer.add_row({"falling slope / (N s/m)", "falling_slope_Ns_per_m", rounded(squeal.slope, 7)});
   answer.add_line();

@@ -35,7 +35,7 @@ const std::map<std::string, studies::SweepDirection> directions{{"up", studies::
 
 report::CsvTable sections_table(const studies::SweepTask& task,
                                 const std::vector<studies::SweepPoint>& points) {
-  report::CsvTable table("Poincare section of the tip for the case " + task.problem.name,
+  report::CsvTable table("Poincare section of the contact for the case " + task.problem.name,
                          fmt::format("direction [-], {}, tip_displacement_m [m], tip_velocity_m_per_s [m/s], "
                                      "friction_force_N [N], period [1]",
                                      report::column_of(task.parameter)));
@@ -79,7 +79,7 @@ Answer sweep_answer(const studies::SweepTask& task, const std::vector<studies::S
   answer.add_line(fmt::format(
       "{} points written to {}{}{}", points.size(), options.output,
       has_both ? fmt::format("; hysteresis at {} of {} values", moving, task.values.size()) : "",
-      resting > 0 ? fmt::format("; at {} the tip sticks at another place on the way back", resting) : ""));
+      resting > 0 ? fmt::format("; at {} the contact sticks at another place on the way back", resting) : ""));
   answer.add_members({{"parameter", axis_text({task.parameter, task.values})},
                       {"direction", options.direction},
                       {"settle_periods", task.settle},

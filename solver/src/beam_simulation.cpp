@@ -21,7 +21,7 @@ namespace {
 // Σ_n 2 ζ ω_n (M φ_n) (M φ_n)ᵀ over all modes of the mesh, tip free and P = 0. With M = L Lᵀ this is
 // 2 ζ L (Lᵀ K⁻¹ L)^(-1/2) Lᵀ. With the inverse of K the low modes lose nothing to round-off; the
 // highest loses (ω_max/ω_1)² eps, 1e-3 at most_elements.
-Eigen::MatrixXd modal_damping(const BeamModel& model, double ratio) {
+Eigen::MatrixXd modal_damping(const BeamModel& model, const data::Damping& damping) {
   constexpr int most_elements = 500;
   if (model.elements() > most_elements)
     throw data::FieldError(
@@ -31,7 +31,12 @@ Eigen::MatrixXd modal_damping(const BeamModel& model, double ratio) {
   const Eigen::LLT<Eigen::MatrixXd> stiffness(Eigen::MatrixXd(model.elastic_stiffness()));
   const Eigen::MatrixXd half = stiffness.matrixL().solve(root);
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(Eigen::MatrixXd(half.transpose() * half));
-  return 2.0 * ratio * root * modes.operatorInverseSqrt() * root.transpose();
+  // The eigenvalues ω^-2 ascend: the last one is that of mode 1.
+  Eigen::VectorXd factors = 2.0 * modes.eigenvalues().cwiseSqrt().cwiseInverse();
+  for (Eigen::Index n = 0; n < factors.size(); ++n)
+    factors[n] *= damping.ratio_of(static_cast<std::size_t>(factors.size() - n));
+  const Eigen::MatrixXd shapes = root * modes.eigenvectors();
+  return shapes * factors.asDiagonal() * shapes.transpose();
 }
 
 }  // namespace
@@ -47,7 +52,7 @@ SparseMatrix damping_matrix(const BeamModel& model, const data::Damping& damping
   SparseMatrix matrix(model.degrees_of_freedom(), model.degrees_of_freedom());
   if (damping.kelvin_voigt() > 0.0) matrix = damping.kelvin_voigt() * model.elastic_stiffness();
   if (damping.mass_proportional() > 0.0) matrix += damping.mass_proportional() * model.mass();
-  if (damping.ratio() > 0.0) matrix += SparseMatrix(modal_damping(model, damping.ratio()).sparseView());
+  if (damping.has_ratio()) matrix += SparseMatrix(modal_damping(model, damping).sparseView());
   return matrix;
 }
 

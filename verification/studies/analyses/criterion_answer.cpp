@@ -36,7 +36,7 @@ std::optional<StickFrequency> nearest_stick_frequency(const data::Case& problem)
 // 1/s, of the slowest free vibration of the held contact; infinite if there is none.
 double slowest_decay(const data::Case& problem) {
   if (problem.model() != nullptr) return analytic::StickReaction(problem).slowest_decay();
-  const double first = two_pi * stick_hz(problem.beam(), 1);
+  const double first = two_pi * closed_form_frequencies(problem, analytic::TipSupport::held, 1).front().hz;
   return first * problem.damping.ratio_at(first);
 }
 
@@ -86,6 +86,17 @@ double steady_draw_back(const data::Case& problem) {
   for (int i = 0; i < 64; ++i)
     times.push_back(150.0 / (ratio * first) + i / (64.0 * problem.excitation().frequency_hz()));
   return held_bending(problem, times).draw_back;
+}
+
+std::optional<ModesUsed> modes_used(const data::Case& problem) {
+  if (problem.model() == nullptr || problem.model()->is_mass()) return std::nullopt;
+  const analytic::HeldStructure structure = analytic::held_structure(problem, problem.numerics.modes());
+  const double wall = structure.wall_share,
+               coupling = wall * structure.contact_mass - structure.participation.back();
+  double residual = coupling;
+  for (std::size_t n = 0; n < structure.modes(); ++n)
+    residual += structure.mass_coupling[n] * (structure.participation[n] - wall * structure.mass_coupling[n]);
+  return ModesUsed{structure.modes(), coupling == 0.0 ? 0.0 : std::abs(residual / coupling)};
 }
 
 CriticalAmplitudeSearch search(const data::Case& problem, double hz, double increment, double cap) {
@@ -157,6 +168,7 @@ CriterionAnswer criterion_answer(const data::Case& problem) {
                          .nearest = nearest_stick_frequency(problem),
                          .bending = held_bending(problem),
                          .steady_draw_back = {},
+                         .modes_used = modes_used(problem),
                          .best_change = {}};
   answer.steady = steady_state(problem, answer.nearest);
   if (answer.bending && answer.steady) answer.steady_draw_back = steady_draw_back(problem);

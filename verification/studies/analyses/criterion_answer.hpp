@@ -36,6 +36,12 @@ struct Change {
   double factor{}, margin{};
 };
 
+/// The held modes of a model, and what its residual mass is of the mass that couples base and contact.
+struct ModesUsed {
+  std::size_t modes{};
+  double residual_share{};
+};
+
 struct CriterionAnswer {
   analytic::Criterion truncated;      ///< with numerics.modes, as in the paper
   analytic::Criterion all_modes;      ///< without truncation
@@ -44,6 +50,7 @@ struct CriterionAnswer {
       nearest;  ///< the natural frequency nearest to that of the excitation; one mass has none
   std::optional<Bending> bending;          ///< held_bending()
   std::optional<double> steady_draw_back;  ///< of the steady vibration, m
+  std::optional<ModesUsed> modes_used;     ///< of a model that is no single mass
   std::optional<Change> best_change;       ///< by a tenth; nothing for an excitation amplitude of 0
 };
 

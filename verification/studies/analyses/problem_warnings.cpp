@@ -57,6 +57,7 @@ std::optional<Warning> resonance_warning(const data::Case& problem) {
     return std::nullopt;
   int count = problem.numerics.modes();  // also those that are left out
   auto modes = analytic::held_modes(problem, count);
+  if (modes.empty()) return std::nullopt;
   while (modes.back().angular_frequency < 2.0 * omega && count < 500)
     modes = analytic::held_modes(problem, count *= 2);
   const auto nearest = std::ranges::min_element(
@@ -83,7 +84,9 @@ void warn_of_distance(const data::Case& problem, std::vector<Warning>& warnings)
   };
   const auto modes = analytic::held_modes(problem, problem.numerics.modes());
   const auto nearest = std::ranges::min_element(modes, {}, distance);
-  if (problem.excitation().amplitude() == 0.0 || distance(*nearest) >= least_resonance_distance) return;
+  if (modes.empty() || problem.excitation().amplitude() == 0.0 ||
+      distance(*nearest) >= least_resonance_distance)
+    return;
   const double share = nearest->angular_frequency / omega - 1.0;
   warnings.push_back({Concern::near_resonance, std::abs(share), least_resonance_distance,
                       fmt::format("natural frequency {} is only {} from excitation.frequency_hz: 1 % of "
@@ -105,8 +108,14 @@ void warn_of_thickness(const data::Case& problem, bool slip, int mode, std::vect
                    radius / beam.length(), mode, percent(error))});
 }
 
+// Of that mode of the held contact, rad/s; 0 if there is none.
+double natural_frequency(const data::Case& problem, int mode) {
+  const auto modes = analytic::held_modes(problem, mode);
+  return modes.empty() ? 0.0 : modes.back().angular_frequency;
+}
+
 void warn_of_step(const data::Case& problem, int mode, std::vector<Warning>& warnings) {
-  const double natural = analytic::held_modes(problem, mode).back().angular_frequency;
+  const double natural = natural_frequency(problem, mode);
   const double excitation = angular_frequency(problem.excitation());
   const double omega = std::max(natural, excitation), step = problem.numerics.time_step();
   const double error = step_error(problem.numerics.spectral_radius(), omega, step);
@@ -493,9 +502,9 @@ std::optional<std::string> row_warning(const data::Case& problem, const Method& 
 
 std::optional<std::string> fixed_step_warning(const data::Case& problem, double step) {
   const int mode = highest_mode_that_matters(problem);
-  const double omega = analytic::held_modes(problem, mode).back().angular_frequency,
+  const double omega = natural_frequency(problem, mode),
                longest = std::sqrt(24.0 * allowed_step_error) / omega;
-  if (step <= longest) return std::nullopt;
+  if (!(step > longest)) return std::nullopt;
   return fmt::format(
       "the steps of {:.2g} s are too long for natural frequency {} at {:.4g} Hz; numerics.time_step = {:.2g} "
       "s follows it to {}",

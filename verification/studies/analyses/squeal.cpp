@@ -122,8 +122,7 @@ Squeal squeal_of(const data::Case& problem, int modes) {
   std::vector<double> frequencies;
   for (const auto& [hz, error] : closed_form_frequencies(problem, analytic::TipSupport::free, modes))
     frequencies.push_back(two_pi * hz);
-  const auto steady =
-      analytic::steady_sliding(problem.beam(), problem.contact.friction, problem.contact.wall);
+  const auto steady = analytic::steady_sliding(problem);
   Squeal squeal{.speed = problem.contact.wall.speed(),
                 .slope = analytic::falling_slope(problem.contact.friction, problem.normal_force(),
                                                  problem.contact.wall.speed()),
@@ -140,6 +139,9 @@ Squeal squeal_of(const data::Case& problem, int modes) {
   squeal.finite_element_displacement = solver::steady_contact_displacement(mesh, steady.friction_force);
   const auto eigenvalues = solver::sliding_eigenvalues(mesh, solver::falling_slope(mesh));
   const auto real_root = judge(eigenvalues, squeal);
+  if (problem.model() != nullptr)  // its rows are all there is
+    squeal.resolved_hz =
+        std::abs(*std::ranges::max_element(eigenvalues, {}, [](Complex s) { return std::abs(s); })) / two_pi;
   const analytic::Mobility mobility = analytic::contact_mobility(problem, model);
   for (const auto& mode : analytic::sliding_modes(mobility, frequencies, squeal.slope))
     squeal.modes.push_back(mode_of(problem, mode, eigenvalues));
@@ -204,7 +206,7 @@ double stick_share_of(const analytic::PeriodicMotion& motion) {
 // What a reader asks of one period.
 void measure(const analytic::ContactModel& model, const analytic::PeriodicMotion& motion, Cycle& cycle) {
   constexpr Quantity tip = [](const analytic::EventDriven& run) {
-    return run.contact_displacement() - run.drive_displacement();
+    return run.contact_displacement() + run.base_displacement();
   };
   const auto [highest, deepest, fastest] =
       largest(model, motion,

@@ -48,8 +48,8 @@ struct Squeal {
   double finite_element_displacement{};  ///< the same by the mesh, m
   bool all_modes{};  ///< the characteristic equation is that of the continuous beam; else of numerics.modes
   std::vector<SquealMode> modes;
-  int resolved_modes{};          ///< that the mesh resolves; only these are judged
-  double resolved_hz{};          ///< up to which it does: resolved_frequency()
+  int resolved_modes{};  ///< that the mesh resolves; only these are judged
+  double resolved_hz{};  ///< up to which it does: resolved_frequency(); of a Model that of its highest mode
   std::complex<double> fastest;  ///< of their eigenvalues the one with the largest real part, 1/s
   bool
       unresolved_mode_grows{};  ///< an eigenvalue of the mesh above resolved_hz, which says nothing of the beam

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "stickslip/analytic/event_driven.hpp"
-#include "stickslip/analytic/stick_reaction.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
+#include "stickslip/analytic/damped_reaction.hpp"
 #include "stickslip/analytic/held_beam.hpp"
+#include "stickslip/analytic/stick_reaction.hpp"
 #include "studies/common/problem_parameter.hpp"
 #include "studies/history/method.hpp"
 
@@ -15,17 +18,20 @@ namespace {
 
 HistoryRow row_of(const analytic::EventDriven& run) {
   return {.time = run.time(),
-          .base_displacement = -run.drive_displacement(),
-          .tip_displacement = run.contact_displacement() - run.drive_displacement(),
+          .base_displacement = run.base_displacement(),
+          .tip_displacement = run.contact_displacement() + run.base_displacement(),
           .sliding_velocity = run.sliding_velocity(),
           .friction_force = -run.friction_force(),
           .state = run.state()};
 }
 
-// Positions on the wall become positions in the frame at rest.
-std::vector<data::ContactEvent> events_of(const analytic::EventDriven& run, double wall_speed) {
+// Positions on the wall become positions in the frame at rest, in which the wall may move with the base.
+std::vector<data::ContactEvent> events_of(const analytic::EventDriven& run,
+                                          const analytic::ContactModel& model) {
   auto events = run.events();
-  for (auto& event : events) event.position += wall_speed * event.time;
+  for (auto& event : events)
+    event.position += model.wall_speed * event.time + (model.base_amplitude + model.wall_amplitude) *
+                                                          std::sin(model.load_angular_frequency * event.time);
   return events;
 }
 
@@ -38,27 +44,43 @@ std::vector<double> rates_of(const analytic::ContactModel& model, bool starts_wi
   return rates;
 }
 
+// At rest on the wall, or, one mass, where [initial] says.
+void start(analytic::EventDriven& run, const data::Case& problem, const analytic::ContactModel& model,
+           bool starts_with_the_base) {
+  const auto& [position, velocity] = problem.initial;
+  const double omega = model.load_angular_frequency,
+               wall = (model.base_amplitude + model.wall_amplitude) * omega + model.wall_speed;
+  if (problem.initial == data::InitialState() || velocity == wall)
+    run.start_stuck({}, rates_of(model, starts_with_the_base), position);
+  else
+    run.start_slipping({}, {}, position, velocity - wall);
+}
+
 }  // namespace
 
 History event_driven_history(const data::Case& problem, const Sampling& sampling,
                              const solver::RunOptions& options, const RowSink& sink) {
-  const analytic::HeldBeam beam(problem.beam(), problem.damping, problem.numerics.modes());
-  const std::vector<double> midspan = beam.shapes(0.5 * problem.beam().length());
+  const int modes = problem.numerics.modes();
+  std::optional<analytic::HeldBeam> beam;
+  if (problem.model() == nullptr) beam.emplace(problem.beam(), problem.damping, modes);
+  std::vector<double> midspan;
+  if (beam) midspan = beam->shapes(0.5 * problem.beam().length());
   std::vector<std::vector<double>> shapes;
-  for (const double x : sampling.positions) shapes.push_back(beam.shapes(x));
-  const analytic::ContactModel model = analytic::contact_model(beam.structure(), problem);
+  for (const double x : sampling.positions) shapes.push_back(beam.value().shapes(x));
+  const analytic::ContactModel model =
+      beam ? analytic::contact_model(beam->structure(), problem) : analytic::contact_model(problem, modes);
   analytic::EventDriven run(model);
-  run.start_stuck({}, rates_of(model, options.starts_with_the_base));
+  start(run, problem, model, options.starts_with_the_base);
   History history;
   for_each_row(problem, sampling, [&](long, double time) {
     run.advance_to(time);
     HistoryRow row = row_of(run);
-    row.midspan_displacement = analytic::absolute_displacement(midspan, run);
+    if (beam) row.midspan_displacement = analytic::absolute_displacement(midspan, run);
     for (const auto& shape : shapes) row.displacement.push_back(analytic::absolute_displacement(shape, run));
     hold_to_law(problem, history, row);
     add_row(problem, history, sink, std::move(row));
   });
-  set_events(history, events_of(run, model.wall_speed));
+  set_events(history, events_of(run, model));
   return history;
 }
 
@@ -70,7 +92,7 @@ History event_driven_history(const analytic::ContactModel& model, const std::vec
     run.advance_to(time);
     history.rows.push_back(row_of(run));
   }
-  set_events(history, events_of(run, model.wall_speed));
+  set_events(history, events_of(run, model));
   return history;
 }
 
@@ -82,8 +104,34 @@ HistoryRow steady_crest(const data::Case& problem, const std::vector<double>& po
   return crest;
 }
 
+namespace {
+
+// The same of a model, with the residual mass of the modes that are left out.
+History held_history(const data::Case& problem, const Sampling& sampling, const RowSink& sink) {
+  const analytic::HeldStructure structure = analytic::held_structure(problem, problem.numerics.modes());
+  const double omega = angular_frequency(problem.excitation()), limit = friction_limit(problem);
+  const analytic::DampedForce force(
+      analytic::damped_reaction(structure, analytic::SteadyPart::exact), omega,
+      std::max(problem.numerics.duration(), sampling.times.empty() ? 0.0 : sampling.times.back()));
+  const double base = analytic::contact_model(structure, problem).base_amplitude;
+  History history;
+  for_each_row(problem, sampling, [&](long, double time) {
+    HistoryRow row{
+        .time = time,
+        .base_displacement = base * std::sin(omega * time),
+        .tip_displacement = (1.0 - structure.wall_share) * base * std::sin(omega * time),
+        .friction_force = problem.excitation().amplitude() * force.value(time) + problem.constant_force};
+    if (!history.first_slip && std::abs(row.friction_force) > limit) history.first_slip = time;
+    add_row(problem, history, sink, std::move(row));
+  });
+  return history;
+}
+
+}  // namespace
+
 History closed_form_history(const data::Case& problem, const Sampling& sampling,
                             analytic::SteadyPart steady_part, const RowSink& sink) {
+  if (problem.model() != nullptr) return held_history(problem, sampling, sink);
   const analytic::StickResponse response(problem.beam(), problem.excitation(), problem.numerics.modes(),
                                          steady_part);
   const double length = problem.beam().length(), limit = friction_limit(problem);

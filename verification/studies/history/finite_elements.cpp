@@ -39,12 +39,12 @@ History finite_element_history(const data::Case& problem, const Sampling& sampli
     add_row(problem, history, sink, std::move(row));
   }));
   auto events = simulation.integrator().events();
-  // Positions on the wall become positions in the frame at rest.
+  // Positions on the wall become positions in the frame at rest. Under a force the base rests.
   const data::Wall& wall = problem.contact.wall;
   const solver::PrescribedMotion base = solver::base_motion(problem.motion);
+  const bool is_moved = wall.moves_with_base() && !problem.excitation().is_force();
   for (auto& event : events)
-    event.position +=
-        wall.speed() * event.time + (wall.moves_with_base() ? base.displacement(event.time) : 0.0);
+    event.position += wall.speed() * event.time + (is_moved ? base.displacement(event.time) : 0.0);
   set_events(history, std::move(events));
   return history;
 }

@@ -167,8 +167,8 @@ data::Case refined(const data::Case& problem, int elements, double time_step, do
 long usual_row_step(const data::Case& problem, double span) {
   constexpr double in_a_base_period = 100.0, in_a_natural_period = 20.0, in_all = 2000.0;
   constexpr long longest = 1'000'000'000;
-  const double natural =
-      analytic::held_modes(problem, 1).front().angular_frequency / (2.0 * std::numbers::pi);
+  const auto modes = analytic::held_modes(problem, 1);
+  const double natural = modes.empty() ? 0.0 : modes.front().angular_frequency / (2.0 * std::numbers::pi);
   const double rows_per_second = std::max(
       {in_a_base_period * problem.excitation().frequency_hz(), in_a_natural_period * natural, in_all / span});
   const double most = (1.0 + 1e-9) / (rows_per_second * problem.numerics.time_step());

@@ -13,6 +13,7 @@
 #include "stickslip/analytic/stick_reaction.hpp"
 #include "stickslip/analytic/timoshenko_modes.hpp"
 #include "stickslip/solver/modal_analysis.hpp"
+#include "stickslip/solver/model_system.hpp"
 #include "studies/common/discretisation.hpp"
 #include "studies/common/problem_parameter.hpp"
 
@@ -89,23 +90,22 @@ std::vector<EstimatedFrequency> closed_form_frequencies(const data::Beam& beam, 
 
 namespace {
 
+constexpr double model_rounding = 1e-9;  // of a frequency; empirical
+
 std::vector<EstimatedFrequency> model_frequencies(const data::Case& problem, TipSupport tip, int count) {
-  constexpr double rounding = 1e-9;  // empirical
-  constexpr int all_modes = 200;
   std::vector<EstimatedFrequency> frequencies;
   if (tip == TipSupport::held) {
     for (const auto& mode : analytic::held_modes(problem, count))
-      frequencies.push_back({mode.angular_frequency / (2.0 * std::numbers::pi), rounding});
+      frequencies.push_back({mode.angular_frequency / two_pi, model_rounding});
     return frequencies;
   }
-  analytic::HeldStructure structure = analytic::held_structure(problem, all_modes);
-  structure.damping = {};
-  auto roots =
-      analytic::sliding_eigenvalues(analytic::contact_model(std::move(structure), problem.excitation()), 0.0);
-  std::ranges::sort(roots, {}, [](const auto& root) { return root.imag(); });
-  for (const auto& root : roots)
+  const analytic::HeldStructure structure = analytic::held_structure(problem, std::max(60, 2 * count));
+  const analytic::HeldStructure::Omitted& rest = structure.omitted;
+  for (const double omega : analytic::free_angular_frequencies(structure))
     if (static_cast<int>(frequencies.size()) < count)
-      frequencies.push_back({root.imag() / (2.0 * std::numbers::pi), rounding});
+      frequencies.push_back(
+          {omega / two_pi, model_rounding + 0.5 * rest.contact / structure.contact_mass *
+                                                std::pow(omega / rest.angular_frequency, 2)});
   return frequencies;
 }
 
@@ -183,6 +183,14 @@ double factor_of_axial_force(const solver::BeamModel& model, const solver::Finit
 }  // namespace
 
 std::vector<EstimatedFrequency> mesh_frequencies(const data::Case& problem, TipSupport tip, int count) {
+  if (problem.model() != nullptr) {
+    std::vector<EstimatedFrequency> frequencies;
+    const auto matrices = solver::model_matrices(*problem.model());
+    for (const auto& mode : solver::model_modes(matrices, tip == TipSupport::held))
+      if (static_cast<int>(frequencies.size()) < count)
+        frequencies.push_back({mode.angular_frequency / two_pi, model_rounding});
+    return frequencies;
+  }
   const data::Beam& beam = problem.beam();
   const int elements = problem.numerics.elements();
   const solver::BeamModel model(beam, elements);

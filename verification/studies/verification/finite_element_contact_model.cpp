@@ -80,6 +80,7 @@ FiniteElementContactModel::FiniteElementContactModel(const solver::ContactSystem
     model_.damping = to_matrix(basis_.transpose() * Eigen::MatrixXd(system.damping) * basis_);
   model_.load = to_vector(system.load_history(quarter) * (basis_.transpose() * system.load_shape));
   model_.load_angular_frequency = angular_frequency;
+  model_.base_amplitude = -system.wall.displacement(quarter);
   model_.wall_amplitude = system.wall.displacement(quarter);
   model_.normal_force = system.normal_force;
   model_.friction = system.friction;

@@ -2,6 +2,7 @@
 /// What the commands answer: their JSON against their files, options with each method, and digits that are true.
 
 #include "answer.hpp"
+#include "case_options.hpp"
 #include "stickslip/analytic/amplitude_spectrum.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/analytic/stick_response.hpp"
@@ -243,6 +244,35 @@ TEST_F(Answers, MapTakesEveryAxisWithItsColumn) {
   EXPECT_GT(tried, 8);
 }
 
+// --- the case
+
+// A beam's problem has no further member.
+TEST_F(Answers, TellTheStructureThatIsNoBeam) {
+  const data::Case rig = data::load_case("solid-cantilever"), mass = data::load_case("den-hartog");
+  EXPECT_EQ(cli::case_line(rig),
+            "solid-cantilever: matrices of 96 rows, 8 of the base, contact rows 84, 87, N = 400 N, which is "
+            "not in the "
+            "matrices unless they hold it, mu 0.6/0.3\n");
+  EXPECT_EQ(cli::case_line(mass),
+            "den-hartog: one mass 1 kg, spring 100 N/m, damper 0 N s/m, N = 10 N, mu 0.5/0.5\n");
+  const cli::Json problem = cli::problem_json(rig), &structure = problem["structure"];
+  EXPECT_EQ(structure["kind"], "matrices");
+  EXPECT_EQ(structure["base"], cli::Json({3, 6, 9, 12, 15, 18, 21, 24}));
+  EXPECT_EQ(structure["contact"],
+            cli::Json({{{"row", 84}, {"weight", 0.5}}, {{"row", 87}, {"weight", 0.5}}}));
+  EXPECT_EQ(structure["files"][0], cli::Json({{"key", "model.base"},
+                                              {"name", "solid-cantilever.nam"},
+                                              {"sha256", rig.model()->matrices().files[0].sha256}}));
+  EXPECT_EQ(problem["model"], cli::Json::object({{"normal_force", 400.0}}));
+  EXPECT_EQ(cli::problem_json(mass)["structure"], cli::Json::object({{"kind", "mass"}}));
+  EXPECT_FALSE(cli::problem_json(mass).contains("damping"));
+  const cli::Json beam = cli::problem_json(data::load_case("paper"));
+  EXPECT_FALSE(beam.contains("structure") || beam["wall"].contains("with_base"));
+  EXPECT_EQ(cli::problem_json(data::load_case(
+                "paper", {{"wall.with_base", "true"}, {"damping.ratios", "[0.1]"}}))["damping"]["ratios"],
+            cli::Json::array({0.1}));
+}
+
 // --- sweep
 
 // Up and down differ where the smallest or the largest force does by more than 1 % of the largest of them.
@@ -272,7 +302,7 @@ TEST_F(Answers, SweepHasTheSectionOfEachValue) {
   const std::string told = run_line(command).output;
   EXPECT_TRUE(holds(told, fmt::format("hysteresis at {} of 9 values", moving)));
   EXPECT_TRUE(
-      holds(told, resting == 0 ? "values\n" : fmt::format("; at {} the tip sticks at another", resting)));
+      holds(told, resting == 0 ? "values\n" : fmt::format("; at {} the contact sticks at another", resting)));
   install_gnuplot("cat \"${folder}sweep.csv\" \"${folder}sweep-values.csv\" > $output\n");
   EXPECT_TRUE(holds(run_line(command + "--direction down --figure sweep.svg").output,
                     "\n9 points written to sweep.csv\n"));
@@ -548,8 +578,8 @@ TEST_F(Answers, PeriodicSaysWhatItFindsOrWhyNot) {
   EXPECT_DOUBLE_EQ(sliding["period_s"], 0.02);
   EXPECT_EQ(sliding["stick_share"], 0.0);
   EXPECT_TRUE(sliding["changes_of_contact"].empty());
-  EXPECT_EQ(json(fast)["reason"], "the tip slides steadily");
-  EXPECT_EQ(json("periodic paper --hz 15 --amplitude 1e-5 --settle 5")["reason"], "the tip sticks");
+  EXPECT_EQ(json(fast)["reason"], "the contact slides steadily");
+  EXPECT_EQ(json("periodic paper --hz 15 --amplitude 1e-5 --settle 5")["reason"], "the contact sticks");
 }
 
 }  // namespace

@@ -126,7 +126,7 @@ TEST_F(Fault, OfAClosedPipeIsSilent) {
   const Outcome outcome = shell("{ '" STICKSLIP_PROGRAM "' " + history + "; echo $? >status; } | head -n 1");
   EXPECT_EQ(contents("status"), "141\n");
   EXPECT_EQ(outcome.errors, "");
-  EXPECT_TRUE(outcome.output.starts_with("# Motion of the tip")) << outcome.output;
+  EXPECT_TRUE(outcome.output.starts_with("# Motion of the contact")) << outcome.output;
 }
 
 // The sentence behind the bar, which is erased.

@@ -78,6 +78,28 @@ TEST_F(NewCase, HasACommentThatBecomesDamping) {
   EXPECT_EQ(data::parse_case("mine.toml", text).damping.ratio(), 0.01);
 }
 
+// Of matrices the files are the user's, and may come later.
+TEST_F(NewCase, MayBeAModel) {
+  EXPECT_EQ(made("--model mass --set 'model.mass=538 g'").model()->properties().mass, 0.538);
+  std::filesystem::remove("my-beam.toml");
+  const std::string ratio = "--set damping.ratios=[0.01,0.02] --set wall.with_base=true";
+  EXPECT_EQ(run_line("new my-beam.toml --model matrices " + ratio).status, 0);
+  expect_refused("criterion my-beam.toml", "m.mtx: cannot be opened for reading");
+  for (const char* name : {"m.mtx", "k.mtx"}) {
+    std::ofstream file(name);
+    file << "%%MatrixMarket matrix coordinate real symmetric\n41 41 41\n";
+    for (int row = 1; row <= 41; ++row) file << fmt::format("{0} {0} 1.0\n", row);
+  }
+  const data::Case rig = made("--model matrices " + ratio);
+  EXPECT_EQ(rig.model()->matrices().rows, 41);
+  EXPECT_EQ(rig.damping.ratio_of(2), 0.02);
+  EXPECT_TRUE(rig.contact.wall.moves_with_base());
+  EXPECT_EQ(
+      made("--model matrices --set 'model.contact={ rows = [2, 3] }'").model()->matrices().contact.size(),
+      2U);
+  expect_refused("new other.toml --model plate", "--model is plate, but must be one of mass, matrices");
+}
+
 // The second answer is refused and asked again; the others are kept.
 TEST_F(NewCase, AsksForWhatIsNotSet) {
   const std::string ask = "'" STICKSLIP_PROGRAM "' new my-beam.toml --ask --set beam.material=glass";

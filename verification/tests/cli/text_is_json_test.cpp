@@ -66,7 +66,7 @@ const std::vector<Printed> bending{
 const std::vector<Printed> cycle{
     {"period / s", {"/period_s"}},
     {"frequency / Hz", {"/frequency_hz"}},
-    {"tip, peak to peak / m", {"/tip_peak_to_peak_m"}},
+    {"contact, peak to peak / m", {"/tip_peak_to_peak_m"}},
     {"largest sliding velocity / (m/s)", {"/largest_sliding_velocity_m_per_s"}},
     {"share of stick", {"/stick_share"}},
 };
@@ -106,8 +106,8 @@ const std::vector<Asked> asked{
        "/keys"}}},
     {"periodic --settle 30", cycle},
     {"squeal --speed SPEED --modes 3 --settle 5",
-     {{"friction force on beam / N", {"/friction_force_on_beam_N"}},
-      {"deflection of the tip / m", {"/tip_displacement_m", "/finite_element_tip_displacement_m"}},
+     {{"friction force on structure / N", {"/friction_force_on_beam_N"}},
+      {"deflection of the contact / m", {"/tip_displacement_m", "/finite_element_tip_displacement_m"}},
       {"falling slope / (N s/m)", {"/falling_slope_Ns_per_m"}},
       {"mode ",
        {"", "/frequency_hz", "/damping_ratio", "/root/growth_per_s", "/finite_element_root/growth_per_s",

@@ -181,6 +181,25 @@ TEST(SteadySliding, SlopeHeldIsThatOfTheModeItself) {
   EXPECT_GE(std::min(crossing, held), 3);
 }
 
+// The slope (mu_s - mu_m) alpha N exp(-alpha v) is c at the Hopf point of one mass, with 40 and 5.946 N s/m in the oscillator of Veraszto
+// and Stepan. Their 0.190624 m/s is this to the digits of c: half of its last one is 0.0005/5.946/alpha.
+TEST(SteadySliding, OfOneMassIsAFormula) {
+  data::Case problem = reed();
+  problem.structure = data::Model({.mass = 1.0, .stiffness = 100.0, .damping = 5.946, .normal_force = 10.0});
+  problem.damping = {};
+  problem.contact.friction = data::FrictionLaw(
+      {.static_coefficient = 0.8, .kinetic_coefficient = 0.4, .decay = 10.0, .viscous = 0.0});
+  for (const double speed : {0.19, 0.191}) {
+    problem.contact.wall = data::Wall({.speed = speed});
+    const studies::Squeal squeal = studies::squeal_of(problem, 1);
+    EXPECT_EQ(squeal.is_stable(), speed > 0.1905);
+    ASSERT_EQ(squeal.modes.size(), 1U);
+    const double critical = squeal.modes.front().critical_speed.value();
+    EXPECT_TRUE(within(critical, std::log(40.0 / 5.946) / 10.0, round_off(100, 1, critical)));
+    EXPECT_TRUE(within(critical, 0.190624, reference(0.0005 / 5.946 / 10.0, "the digits of c")));
+  }
+}
+
 TEST(SteadySliding, MapHasTheBoundaryOfTheHopfPoint) {
   const data::Case problem = reed();
   const auto squeal = studies::squeal_of(problem, 3);
