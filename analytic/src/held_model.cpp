@@ -128,7 +128,7 @@ struct Basis {
   Vector base, wall, force;  // M r, M σ and the load on (U_n, σ)
   Vector drag;               // C r on (U_n, σ)
   Matrix damping;            // C
-  double contact_stiffness{}, base_stiffness{};
+  double contact_stiffness{}, base_stiffness{}, moved_mass{};
   bool is_complete{};
   // xᵀ K x' of the other modes, of M r with itself, of M r with M σ, of M σ and of the load
   double base_rest{}, mixed_rest{}, wall_rest{}, force_rest{};
@@ -148,7 +148,9 @@ class BasisMaker {
     const Vector pull = product(stiffness_, base_);
     basis_.contact_stiffness = dot(wall_, product(stiffness_, wall_));
     basis_.base_stiffness = pull[rows_.contact()];
-    basis_.base = on_basis(product(mass_, base_));
+    const Vector momentum = product(mass_, base_);
+    basis_.moved_mass = dot(base_, momentum);
+    basis_.base = on_basis(momentum);
     basis_.wall = on_basis(product(mass_, wall_));
     basis_.force = on_basis(rows_.transformed(matrices.load));
     if (rows_.free_rows() > 0 && !basis_.is_complete) find_rests(rows_.transformed(matrices.load));
@@ -339,6 +341,7 @@ HeldStructure held_model(const data::Case& problem, int modes) {
   structure.mass_coupling = first(basis->wall, m);
   structure.contact_mass = basis->wall.back();
   structure.contact_stiffness = basis->contact_stiffness;
+  structure.moved_mass = basis->moved_mass;
   structure.follower.resize(m);
   structure.wall_share = wall_share(problem);
   structure.participation = shortened(is_force ? basis->force : basis->base, m);

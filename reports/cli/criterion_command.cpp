@@ -119,8 +119,11 @@ Answer answer_for_one(const data::Case& problem, const studies::CriterionAnswer&
   if (const auto& used = found.modes_used)
     answer.add_row({"held modes used",
                     "modes_used",
-                    {{{"modes", used->modes}, {"residual_mass_share", used->residual_share}},
-                     fmt::format("{}, residual mass {:.2g} %", used->modes, 100.0 * used->residual_share)}});
+                    {{{"modes", used->modes},
+                      {"moved_mass_kg", used->moved_mass},
+                      {"residual_mass_share", used->residual_share}},
+                     fmt::format("{}, residual mass {:.2g} %; {:.4g} kg move with base and contact",
+                                 used->modes, 100.0 * used->residual_share, used->moved_mass)}});
   add_steady_state(answer, found.steady, problem.numerics.duration(), problem.excitation().is_force());
   add_outlook(answer, found, problem.excitation().frequency_hz());
   if (found.bending) add_bending(answer, problem.beam(), *found.bending, found.steady_draw_back);

@@ -39,6 +39,7 @@ struct Change {
 /// The held modes of a model, and what its residual mass is of the mass that couples base and contact.
 struct ModesUsed {
   std::size_t modes{};
+  double moved_mass{};  ///< HeldStructure::moved_mass, kg
   double residual_share{};
 };
 

@@ -181,6 +181,24 @@ void warn_of_resonance_or_distance(const data::Case& problem, std::vector<Warnin
   if (warnings.size() == before) warn_of_distance(problem, warnings);
 }
 
+// Of what matrices cannot tell by themselves: their units, and whether the base is all that holds them.
+void warn_of_structure(const data::Case& problem, std::vector<Warning>& warnings) {
+  constexpr double lightest = 1e-3, heaviest = 1e4, rounding = 1e-6;
+  const analytic::HeldStructure structure = analytic::held_structure(problem, 1);
+  const double mass = structure.moved_mass, share = structure.base_stiffness / structure.contact_stiffness;
+  if (mass < lightest || mass > heaviest)
+    warnings.push_back({Concern::structure_mass, mass, mass < lightest ? lightest : heaviest,
+                        fmt::format("{:.3g} kg move with base and contact: model.units tells whether the "
+                                    "files are in m, kg, s or in mm, t, s",
+                                    mass)});
+  if (!problem.excitation().is_force() && std::abs(share) > rounding)
+    warnings.push_back(
+        {Concern::base_alone, share, rounding,
+         fmt::format("moved with its base by 1 m the structure pulls by {:.3g} N at the contact, "
+                     "{:.2g} times its stiffness there: more holds it than model.base",
+                     structure.base_stiffness, share)});
+}
+
 }  // namespace
 
 double row_effect(const data::Case& problem, double spacing) {
@@ -250,6 +268,7 @@ std::string shear_effect(const data::Case& problem) {
 
 std::vector<Warning> criterion_warnings(const data::Case& problem) {
   std::vector<Warning> warnings;
+  if (problem.model() != nullptr && !problem.model()->is_mass()) warn_of_structure(problem, warnings);
   warn_of_resonance_or_distance(problem, warnings);
   add_warning(few_modes_warning(problem), warnings);
   warn_of_thickness(problem, false, highest_mode_that_matters(problem), warnings);

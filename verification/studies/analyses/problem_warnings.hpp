@@ -24,13 +24,15 @@ enum class Concern {
   thick_beam,
   coarse_mesh,
   long_step,
-  growth
+  growth,
+  structure_mass,
+  base_alone
 };
 
 struct Warning {
   Concern concern{};
   double
-      value{};  ///< what was found: P (N), Ω/2π (Hz), |f_max| (N), a relative frequency error, h (s), σ* (1/s)
+      value{};  ///< what was found: P (N), Ω/2π (Hz), |f_max| (N), a relative frequency error, h (s), σ* (1/s), mass (kg), a share
   /// Flutter or buckling load, ω_n/2π, |f_max| with all modes, allowed error, suggested step, allowed σ*.
   double limit{};
   std::string sentence;
@@ -77,7 +79,8 @@ constexpr double share_that_matters = 0.01;
 /// Throws what stick_modes() throws.
 [[nodiscard]] std::vector<Warning> history_warnings(const data::Case& problem, const Method& method);
 /// Of the criterion: resonance, or else near resonance where least_resonance_distance is not kept; few modes; a thick beam without
-/// damping with its shear_effect().
+/// damping with its shear_effect(). First, of matrices: that less than 1 g or more than 10 t follow base and contact, as files in other
+/// units say, and that a structure moved with its base pulls at the contact, by more than 1e-6 of its stiffness there.
 [[nodiscard]] std::vector<Warning> criterion_warnings(const data::Case& problem);
 /// Of |f_max| over a band up to the excitation frequency of the case: few modes.
 [[nodiscard]] std::vector<Warning> design_warnings(const data::Case& problem);

@@ -18,6 +18,7 @@
 #include "studies/history/method.hpp"
 #include "studies/history/natural_frequencies.hpp"
 #include "support/random_cases.hpp"
+#include "support/structures.hpp"
 #include "support/testing.hpp"
 
 namespace stickslip::testing {
@@ -559,6 +560,26 @@ TEST(ProblemWarnings, OfAMapByElementsNameTheMesh) {
   EXPECT_EQ(concerns_of(studies::map_warnings(task)).back(), Concern::coarse_mesh);
   task.problem = paper_with();
   EXPECT_EQ(concerns_of(studies::map_warnings(task)), std::vector<Concern>{});
+}
+
+// The beam as matrices, which ask for nothing; in tonnes taken for kilograms; and with the rotation of the clamped end in the base, so
+// that it turns by 1 rad for each metre: it pulls by 3 E I/L^2 at the contact, L times its stiffness.
+TEST(ProblemWarnings, TellOfUnitsAndOfABaseThatIsNotRigid) {
+  data::StructureMatrices matrices = beam_matrices(paper_beam(), 8);
+  const auto found = [&](Concern concern) {
+    const auto warnings = criterion_warnings(with_matrices(paper_with(), matrices));
+    const auto* warning = find(warnings, concern);
+    return warning == nullptr ? 0.0 : warning->value;
+  };
+  EXPECT_EQ(found(Concern::structure_mass), 0.0);
+  EXPECT_EQ(found(Concern::base_alone), 0.0);
+  const double mass = paper_beam().density() * paper_beam().area() * paper_beam().length();
+  for (auto& entry : matrices.mass) entry.value *= 1e-6;
+  EXPECT_TRUE(within(found(Concern::structure_mass), 1e-6 * mass, round_off(1e4, 1, 1e-6 * mass)));
+  for (auto& entry : matrices.mass) entry.value *= 1e6;
+  matrices.fixed.clear();
+  matrices.base = {0, 1};
+  EXPECT_GT(std::abs(found(Concern::base_alone)), 0.5 * paper_beam().length());
 }
 
 TEST(ProblemWarnings, AreOneSentenceEach) {

@@ -69,6 +69,7 @@ struct HeldStructure {
   double base_stiffness{};  ///< e_c, N/m
   double wall_share{
       1.0};  ///< κ: relative to the base the wall moves by V t - κ h(t); 0 for a wall that moves with it
+  double moved_mass{};  ///< rᵀ M r of a data::Model, kg: of what follows base and contact, moved alike
   /// What other held modes would change; by default there are none.
   struct Omitted {
     double angular_frequency{std::numeric_limits<double>::infinity()};  ///< of the lowest of them, rad/s
