@@ -424,10 +424,12 @@ const Study scope("scope", "scope of the criterion", [](Results& r) {
   return studies::scope(r.paper, r.damped, *slow);
 });
 
-const Study tested_cases("tested_cases", "dimensionless groups of the cases", [](Results& /*r*/) {
+const Study tested_cases("tested_cases", "dimensionless groups of the beams", [](Results& /*r*/) {
   std::vector<studies::DimensionlessCase> cases;
-  for (const auto& [name, title] : data::list_cases())
-    cases.push_back(studies::dimensionless(data::load_case(name)));
+  for (const auto& [name, title] : data::list_cases()) {
+    const data::Case problem = data::load_case(name);
+    if (problem.model() == nullptr) cases.push_back(studies::dimensionless(problem));
+  }
   return cases;
 });
 
