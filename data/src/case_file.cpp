@@ -13,6 +13,7 @@
 
 #include "case_entry.hpp"
 #include "case_model.hpp"
+#include "case_motion.hpp"
 #include "stickslip/data/toml_file.hpp"
 
 namespace stickslip::data {
@@ -171,6 +172,7 @@ std::string alternative_to(const Key& key) {
   if (key.name() == "density" || key.name() == "youngs_modulus") return " or beam.material";
   if (key.path == "excitation.amplitude")
     return " or excitation.velocity_amplitude or excitation.acceleration_amplitude";
+  if (key.path == "excitation.frequency_hz") return " or one of excitation.sines, sweep, shock and file";
   if (key.path == "beam.length") return " or the table [model] in place of [beam]";
   if (key.path == "model.mass") return " or model.mass_matrix";
   return "";
@@ -193,6 +195,7 @@ class NumbersReader {
     });
     misses_keys_ = misses_keys_ && !mistakes_.any();
     kind_ = kind();
+    is_general_ = states_general_motion("excitation", entries_);
   }
 
   // The settings last, as their defaults follow from the rest.
@@ -209,21 +212,26 @@ class NumbersReader {
       });
     if (kind_ == StructureKind::matrices) read_matrices();
     fill(false);
+    read_motions();
     if (const auto found = entries_.find("damping.ratios"); found != entries_.end())
       collect([&] {
         numbers_.damping.ratios =
             numbers_of(found->first, key_named("damping.ratio").magnitudes, found->second);
       });
     while (collect([&] {
-      (void)structure_of(numbers_), (void)FrictionLaw(numbers_.friction),
-          require_magnitude(amplitude_keys.front(), key_named(amplitude_keys.front()).magnitudes,
-                            HarmonicExcitation(numbers_.excitation).amplitude());
+      (void)structure_of(numbers_), (void)FrictionLaw(numbers_.friction);
+      if (!is_general_)
+        require_magnitude(amplitude_keys.front(), key_named(amplitude_keys.front()).magnitudes,
+                          HarmonicExcitation(numbers_.excitation).amplitude());
       (void)Damping(numbers_.damping), (void)TangentialContact(numbers_.contact), (void)Wall(numbers_.wall);
     })) {
     }
     if (!mistakes_.any())
-      numbers_.numerics = default_numerics(structure_of(numbers_), HarmonicExcitation(numbers_.excitation),
-                                           numbers_.numerics.duration, Damping(numbers_.damping));
+      collect([&] {
+        numbers_.numerics = default_numerics(structure_of(numbers_),
+                                             highest_frequency_hz(motion_of(numbers_), numbers_.wall_motion),
+                                             numbers_.numerics.duration, Damping(numbers_.damping));
+      });
     fill(true);
     mistakes_.throw_if_any();
     std::optional<Case> problem;
@@ -257,6 +265,33 @@ class NumbersReader {
     numbers_.model.normal_force = 1.0;
     numbers_.matrices = std::make_shared<const StructureMatrices>();
     collect([&] { numbers_.matrices = matrices_of(file_, entries_, reads_files_); });
+  }
+
+  // A record lasts as long as it is, unless the duration is stated.
+  void read_motions() {
+    const auto read = [&](std::string_view table, std::optional<GeneralMotion>& motion) {
+      collect([&] {
+        motion = general_motion_of(table, file_, entries_, numbers_.numerics.duration, reads_files_);
+      });
+    };
+    read("excitation", numbers_.motion);
+    read("wall", numbers_.wall_motion);
+    if (is_general_)
+      numbers_.excitation = {.frequency_hz = NAN, .amplitude = NAN, .scale = numbers_.excitation.scale};
+    const auto record_of = [](const std::optional<GeneralMotion>& motion) {
+      return motion ? std::get_if<MotionRecord>(&motion->statement()) : nullptr;
+    };
+    const auto *base = record_of(numbers_.motion), *wall = record_of(numbers_.wall_motion);
+    if (base != nullptr && wall != nullptr && base->begin != wall->begin)
+      collect([&] {
+        throw FieldError(
+            "wall.file", wall->file + " from " + shortest_text(wall->begin) + " s on",
+            "on the clock of excitation.file, which is from " + shortest_text(base->begin) + " s on");
+      });
+    if (entries_.contains("excitation.duration") || (base == nullptr && wall == nullptr)) return;
+    const double endless = std::numeric_limits<double>::infinity();
+    numbers_.numerics.duration = std::min(base != nullptr ? numbers_.motion->duration() : endless,
+                                          wall != nullptr ? numbers_.wall_motion->duration() : endless);
   }
 
   static double allowed(const Key& key) {
@@ -299,6 +334,8 @@ class NumbersReader {
                                    : key.member.is_integer ? integer_of(path, found->second)
                                                            : number_of(path, key.magnitudes, found->second));
         });
+      else if (is_general_ && (path == "excitation.frequency_hz" || path == amplitude_keys.front()))
+        continue;
       else if (key.presence == Presence::required || (path == amplitude_keys.front() && !states_amplitude)) {
         key.member.set(numbers_, allowed(key));
         if (misses_keys_)
@@ -318,7 +355,7 @@ class NumbersReader {
   Mistakes& mistakes_;
   CaseNumbers numbers_;
   std::set<std::string> mended_;
-  bool misses_keys_{}, reads_files_{};
+  bool misses_keys_{}, reads_files_{}, is_general_{};
   StructureKind kind_{};
 };
 
@@ -461,14 +498,13 @@ fs::path installed_folder(const char* variable, std::string_view folder, std::st
 
 namespace {
 
-NumericalChoices beam_numerics(const Beam& beam, const HarmonicExcitation& excitation, double duration,
-                               const Damping& damping) {
+NumericalChoices beam_numerics(const Beam& beam, double highest_hz, double duration, const Damping& damping) {
   constexpr double pi = std::numbers::pi;
   const double bending_stiffness = beam.youngs_modulus() * beam.second_moment_of_area();
   const double mass = beam.density() * beam.area();
   const double unit =
       std::sqrt(bending_stiffness / mass) / (beam.length() * beam.length()) / (2.0 * pi);  // Hz
-  const double resolved = 4.0 * excitation.frequency_hz();
+  const double resolved = 4.0 * highest_hz;
   const double above = std::ceil(std::sqrt(resolved / unit) / pi - 0.25);
   const int k = static_cast<int>(std::clamp(above, double{fewest_modes}, double{most_modes}));
   const double wave_number = (k + 0.25) * pi;
@@ -481,8 +517,8 @@ NumericalChoices beam_numerics(const Beam& beam, const HarmonicExcitation& excit
           .duration = duration};
 }
 
-NumericalChoices model_numerics(const Model& model, const HarmonicExcitation& excitation, double duration) {
-  double highest = excitation.frequency_hz();
+NumericalChoices model_numerics(const Model& model, double highest_hz, double duration) {
+  double highest = highest_hz;
   if (model.is_mass())
     highest = std::max(highest, std::sqrt(model.properties().stiffness / model.properties().mass) /
                                     (2.0 * std::numbers::pi));
@@ -497,10 +533,15 @@ NumericalChoices model_numerics(const Model& model, const HarmonicExcitation& ex
 
 }  // namespace
 
-NumericalChoices default_numerics(const Structure& structure, const HarmonicExcitation& excitation,
-                                  double duration, const Damping& damping) {
-  if (const auto* model = std::get_if<Model>(&structure)) return model_numerics(*model, excitation, duration);
-  return beam_numerics(std::get<Beam>(structure), excitation, duration, damping);
+NumericalChoices default_numerics(const Structure& structure, double highest_hz, double duration,
+                                  const Damping& damping) {
+  constexpr double most_steps = 5e8;  // of a billion
+  const auto* model = std::get_if<Model>(&structure);
+  NumericalChoices choices = model != nullptr
+                                 ? model_numerics(*model, highest_hz, duration)
+                                 : beam_numerics(std::get<Beam>(structure), highest_hz, duration, damping);
+  choices.time_step = std::max(choices.time_step, duration / most_steps);
+  return choices;
 }
 
 }  // namespace stickslip::data

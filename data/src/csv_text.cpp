@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <memory>
@@ -160,8 +161,11 @@ std::string read_table_text(const std::filesystem::path& file) {
   return text.starts_with("\x1F\x8B") ? decompressed(file.string(), std::move(text)) : text;
 }
 
-CsvReader::CsvReader(std::filesystem::path file, std::string_view text, Cells names)
-    : file_(file == "-" ? "standard input" : std::move(file)), rest_(text), names_(std::move(names)) {
+CsvReader::CsvReader(std::filesystem::path file, std::string_view text, Cells names, std::size_t lines_before)
+    : file_(file == "-" ? "standard input" : std::move(file)),
+      rest_(text),
+      line_(lines_before),
+      names_(std::move(names)) {
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
   if (rest_.starts_with(byte_order_mark)) rest_.remove_prefix(byte_order_mark.size());
   if (const auto sentence = other_format(rest_); !sentence.empty())
@@ -170,6 +174,7 @@ CsvReader::CsvReader(std::filesystem::path file, std::string_view text, Cells na
   if (rest_.starts_with("sep=") || rest_.starts_with("\"sep=")) static_cast<void>(take_line());
   std::vector<Line> comments;
   const auto first = next_line(&comments);
+  if (!first && lines_before > 0) return;
   if (!first) throw InputError(place(line_) + ": there is no line with the names of the columns");
   if (!names_.empty()) {
     are_given_ = true;
@@ -314,6 +319,35 @@ Header header_of(std::string_view text) {
   if (const auto slash = text.find(" / "); slash != std::string_view::npos)
     return {std::string(trimmed(text.substr(0, slash))), std::string(trimmed(text.substr(slash + 3)))};
   return {std::string(text), std::nullopt};
+}
+
+// As names are compared: in lower case, with an underscore for a blank or a hyphen.
+std::string folded(std::string_view name) {
+  std::string text(trimmed(name));
+  for (char& c : text)
+    c = c == ' ' || c == '-' ? '_' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+namespace {
+
+// The unit in a header such as name_unit, if the name is this one.
+std::optional<std::string> unit_behind(const std::string& name, const std::string& header) {
+  if (header.size() <= name.size() + 1 || (header[name.size()] != '_' && header[name.size()] != '/'))
+    return std::nullopt;
+  if (folded(header.substr(0, name.size())) != folded(name)) return std::nullopt;
+  const std::string unit = header.substr(name.size() + 1);
+  return unit_named(unit) ? std::optional(unit) : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Header> header_named(std::string_view text, std::string_view name) {
+  if (folded(text) == folded(name)) return Header{std::string(text), std::nullopt};
+  if (Header header = header_of(text); folded(header.name) == folded(name)) return header;
+  if (const auto unit = unit_behind(std::string(name), std::string(text)))
+    return Header{std::string(name), *unit};
+  return std::nullopt;
 }
 
 std::optional<double> finite_number(std::string_view text) {

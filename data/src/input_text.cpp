@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
+#include <memory>
 #include <numeric>
 #include <optional>
 #include <set>
@@ -75,35 +76,73 @@ std::optional<FileIdentity> identity_of(const std::filesystem::path& file) {
 
 std::optional<std::set<FileIdentity>> inputs;  // while they are protected
 
-}  // namespace
+std::string hexadecimal(const std::array<unsigned char, 32>& digest) {
+  constexpr std::string_view digits = "0123456789abcdef";
+  std::string text;
+  for (const unsigned char byte : digest) {
+    text += digits[byte >> 4U];
+    text += digits[byte & 0xFU];
+  }
+  return text;
+}
 
-// Reads one byte more than is allowed at most, so that an endless file ends with the same error as a large
-// one.
-std::string read_bounded(const std::filesystem::path& file, std::size_t most) {
+// Reads no more than one part beyond what is allowed, so that an endless file ends with the same error as a large one.
+void read_parts(const std::filesystem::path& file, std::size_t most,
+                const std::function<void(std::string_view)>& take) {
   std::error_code error;
   if (std::filesystem::is_directory(file, error))
     throw InputError(file.string() + ": is a folder, not a file");
   std::ifstream stream(file, std::ios::binary);
   if (!stream) throw InputError(file.string() + ": cannot be opened for reading");
-  const auto fail_for_size = [&] {
-    throw InputError(file.string() + ": is larger than the " + std::to_string(most) +
-                     " bytes that are allowed");
+  const bool is_regular = std::filesystem::is_regular_file(file, error);
+  std::size_t size = is_regular ? std::filesystem::file_size(file, error) : 0;
+  const auto require_size = [&] {
+    if (size > most)
+      throw InputError(file.string() + ": is larger than the " + std::to_string(most) +
+                       " bytes that are allowed");
   };
-  if (std::filesystem::is_regular_file(file, error) && std::filesystem::file_size(file, error) > most)
-    fail_for_size();
-  constexpr std::size_t chunk = 1 << 16;
-  std::string text;
-  while (stream && text.size() <= most) {
-    const std::size_t before = text.size();
-    text.resize(std::min(before + chunk, most + 1));
-    stream.read(text.data() + before, static_cast<std::streamsize>(text.size() - before));
-    text.resize(before + static_cast<std::size_t>(stream.gcount()));
+  require_size();
+  std::string part(1 << 16U, '\0');
+  for (size = 0; stream; require_size()) {
+    stream.read(part.data(), static_cast<std::streamsize>(part.size()));
+    size += static_cast<std::size_t>(stream.gcount());
+    take(std::string_view(part).substr(0, static_cast<std::size_t>(stream.gcount())));
   }
   if (stream.bad()) throw InputError(file.string() + ": cannot be read");
-  if (text.empty()) throw InputError(file.string() + ": is empty");
-  if (text.size() > most) fail_for_size();
+  if (size == 0) throw InputError(file.string() + ": is empty");
   if (const auto identity = identity_of(file); identity && inputs) inputs->insert(*identity);
+}
+
+}  // namespace
+
+std::string read_bounded(const std::filesystem::path& file, std::size_t most) {
+  std::string text;
+  read_parts(file, most, [&text](std::string_view part) { text += part; });
   return text;
+}
+
+std::string read_lines(const std::filesystem::path& file, std::size_t most,
+                       const std::function<void(std::string_view)>& take) {
+  constexpr std::size_t enough = 1 << 20U;
+  const std::unique_ptr<EVP_MD_CTX, void (*)(EVP_MD_CTX*)> digest(EVP_MD_CTX_new(), EVP_MD_CTX_free);
+  const auto require = [](int done) {
+    if (done != 1) throw std::runtime_error("libcrypto cannot compute a SHA-256 digest");
+  };
+  require(EVP_DigestInit_ex(digest.get(), EVP_sha256(), nullptr));
+  std::string text;
+  read_parts(file, most, [&](std::string_view part) {
+    require(EVP_DigestUpdate(digest.get(), part.data(), part.size()));
+    text += part;
+    if (text.size() < enough) return;
+    const std::size_t feed = text.rfind('\n'), end = feed == std::string::npos ? text.rfind('\r') : feed;
+    if (end == std::string::npos) throw InputError(file.string() + ": has a line of more than a megabyte");
+    take(std::string_view(text).substr(0, end + 1));
+    text.erase(0, end + 1);
+  });
+  if (!text.empty()) take(text);
+  std::array<unsigned char, 32> bytes{};
+  require(EVP_DigestFinal_ex(digest.get(), bytes.data(), nullptr));
+  return hexadecimal(bytes);
 }
 
 void require_no_input(const std::filesystem::path& output) {
@@ -193,13 +232,7 @@ std::string sha256(std::string_view bytes) {
   std::array<unsigned char, 32> digest{};
   if (::EVP_Digest(bytes.data(), bytes.size(), digest.data(), nullptr, ::EVP_sha256(), nullptr) != 1)
     throw std::runtime_error("libcrypto cannot compute a SHA-256 digest");
-  constexpr std::string_view digits = "0123456789abcdef";
-  std::string text;
-  for (const unsigned char byte : digest) {
-    text += digits[byte >> 4U];
-    text += digits[byte & 0xFU];
-  }
-  return text;
+  return hexadecimal(digest);
 }
 
 }  // namespace stickslip::data

@@ -48,13 +48,23 @@ constexpr KeyMember initial = member<&CaseNumbers::initial, Field>();
 constexpr KeyMember constant_force{.get = [](const CaseNumbers& of) { return of.constant_force; },
                                    .set = [](CaseNumbers& of, double value) { of.constant_force = value; }};
 constexpr KeyMember none{};
+constexpr KeyMember frequency{
+    .get = [](const CaseNumbers& of) { return of.motion ? Section::none : of.excitation.frequency_hz; },
+    .set = [](CaseNumbers& of, double value) { of.excitation.frequency_hz = value; }};
 template <AmplitudeOf Kind>
 constexpr KeyMember amplitude{
-    .get = [](const CaseNumbers& of) { return HarmonicExcitation(of.excitation).stated_as(Kind).amplitude; },
+    .get =
+        [](const CaseNumbers& of) {
+          return of.motion ? Section::none : HarmonicExcitation(of.excitation).stated_as(Kind).amplitude;
+        },
     .set =
         [](CaseNumbers& of, double value) {
-          of.excitation = {of.excitation.frequency_hz, value, Kind};
+          of.excitation.amplitude = value;
+          of.excitation.amplitude_of = Kind;
         }};
+constexpr KeyMember wall_scale{
+    .get = [](const CaseNumbers& of) { return of.wall_motion ? of.wall_scale : Section::none; },
+    .set = [](CaseNumbers& of, double value) { of.wall_scale = value; }};
 
 constexpr auto optional = Presence::optional, required = Presence::required, shorthand = Presence::shorthand,
                alternative = Presence::alternative;
@@ -69,6 +79,7 @@ constexpr KeyEffects force{.moves_the_force = true}, factor{.is_a_factor = true,
     shape{.moves_the_force = true, .varies_beam = true, .has_proportions = true},
     adjustable_shape{
         .moves_the_force = true, .varies_beam = true, .has_proportions = true, .is_adjustable = true},
+    scale{.moves_the_force = true, .keeps_frequencies = true},
     direction{.moves_the_force = true, .couples_modes = true, .keeps_frequencies = true},
     damper{.moves_the_force = true, .couples_modes = true};
 }  // namespace has
@@ -120,7 +131,7 @@ constexpr std::array all{
         {"decay", "decay_s_per_m", "decay of the friction α / (s/m)", 1.0, may_be_zero}},
     Key{"friction.viscous", friction<&FrictionCoefficients::viscous>, {1e-15, 1e15, "s/m"}, optional,
         {"viscous", "viscous_s_per_m", "viscous friction β / (s/m)", 1.0, may_be_zero}},
-    Key{"excitation.frequency_hz", excitation<&HarmonicMotion::frequency_hz>, {1e-9, 1e12, "Hz"}, required,
+    Key{"excitation.frequency_hz", frequency, {1e-9, 1e12, "Hz"}, required,
         {"frequency", "frequency_Hz", "excitation frequency / Hz"}, has::force},
     Key{"excitation.amplitude", amplitude<AmplitudeOf::displacement>, {1e-18, 1e6, "m"}, alternative,
         {"amplitude", "amplitude_m", "excitation amplitude A_0 / mm", 1e3, may_be_zero}, has::factor},
@@ -131,6 +142,19 @@ constexpr std::array all{
         1.0 / 9.80665, may_be_zero}, has::factor},
     Key{"excitation.force", amplitude<AmplitudeOf::force>, {1e-18, 1e18, "N"}, alternative,
         {"shaker", "force_amplitude_N", "force amplitude F_0 / N", 1.0, may_be_zero}, has::factor},
+    Key{"excitation.scale", excitation<&HarmonicMotion::scale>, {1e-9, 1e9, ""}, optional,
+        {"scale", "scale", "scale of the excitation", 1.0, may_be_zero}, has::scale},
+    Key{"excitation.sines", none, {}, shorthand},
+    Key{"excitation.sweep", none, {}, shorthand},
+    Key{"excitation.shock", none, {}, shorthand},
+    Key{"excitation.file", none, {}, shorthand},
+    Key{"excitation.column", none, {}, shorthand},
+    Key{"excitation.quantity", none, {}, shorthand},
+    Key{"excitation.unit", none, {}, shorthand},
+    Key{"excitation.rate", none, {1e-9, 1e12, "Hz"}, shorthand},
+    Key{"excitation.high_pass", none, {1e-9, 1e12, "Hz"}, shorthand},
+    Key{"excitation.initial_displacement", none, {1e-18, 1e6, "m"}, shorthand},
+    Key{"excitation.initial_velocity", none, {1e-18, 1e9, "m/s"}, shorthand},
     Key{"excitation.constant_force", constant_force, {1e-18, 1e18, "N"}, optional, {}, has::force},
     Key{"excitation.duration", numerics<&NumericalChoices::duration>, {1e-15, 1e15, "s"}, optional, {}, has::force},
     Key{"numerics.elements", numerics<&NumericalChoices::elements>, {}, optional, {}, has::force},
@@ -154,6 +178,22 @@ constexpr std::array all{
         {1e-18, 1e9, "m/s"}, optional, {}, has::force},
     Key{"wall.speed", wall<&WallProperties::speed>, {1e-15, 1e9, "m/s"}, optional, {}, has::force},
     Key{"wall.with_base", wall<&WallProperties::with_base>, {}, optional, {}, has::force},
+    Key{"wall.scale", wall_scale, {1e-9, 1e9, ""}, optional,
+        {"wall-scale", "wall_scale", "scale of the motion of the wall", 1.0, may_be_zero}, has::scale},
+    Key{"wall.amplitude", none, {1e-18, 1e6, "m"}, shorthand},
+    Key{"wall.velocity_amplitude", none, {1e-18, 1e18, "m/s"}, shorthand},
+    Key{"wall.acceleration_amplitude", none, {1e-18, 1e18, "m/s^2"}, shorthand},
+    Key{"wall.sines", none, {}, shorthand},
+    Key{"wall.sweep", none, {}, shorthand},
+    Key{"wall.shock", none, {}, shorthand},
+    Key{"wall.file", none, {}, shorthand},
+    Key{"wall.column", none, {}, shorthand},
+    Key{"wall.quantity", none, {}, shorthand},
+    Key{"wall.unit", none, {}, shorthand},
+    Key{"wall.rate", none, {1e-9, 1e12, "Hz"}, shorthand},
+    Key{"wall.high_pass", none, {1e-9, 1e12, "Hz"}, shorthand},
+    Key{"wall.initial_displacement", none, {1e-18, 1e6, "m"}, shorthand},
+    Key{"wall.initial_velocity", none, {1e-18, 1e9, "m/s"}, shorthand},
     Key{"initial.position", initial<&InitialState::position>, {1e-18, 1e6, "m"}, optional, {}, has::force},
     Key{"initial.velocity", initial<&InitialState::velocity>, {1e-18, 1e9, "m/s"}, optional, {}, has::force},
     Key{"section.shape", none, {}, shorthand},
@@ -173,11 +213,17 @@ constexpr std::array all{
 CaseNumbers numbers_in(const Case& problem) {
   const auto* beam = std::get_if<Beam>(&problem.structure);
   const Model* model = problem.model();
+  const GeneralMotion* motion = problem.general_motion();
+  const auto& wall_motion = problem.contact.wall_motion;
   return {.beam = beam != nullptr ? beam->properties() : BeamProperties(),
           .model = model != nullptr ? model->properties() : ModelProperties(),
           .matrices = model != nullptr && !model->is_mass() ? model->shared_matrices() : nullptr,
           .friction = problem.contact.friction.coefficients(),
-          .excitation = problem.excitation().motion(),
+          .excitation =
+              motion == nullptr ? problem.excitation().motion() : HarmonicMotion{.scale = motion->scale()},
+          .motion = motion == nullptr ? std::nullopt : std::optional(*motion),
+          .wall_motion = wall_motion,
+          .wall_scale = wall_motion ? wall_motion->scale() : 1.0,
           .numerics = problem.numerics.choices(),
           .damping = problem.damping.properties(),
           .contact = problem.contact.compliance.properties(),
@@ -197,11 +243,20 @@ void require_consistent(const CaseNumbers& numbers) {
   for (const char* path : {"excitation.constant_force", "initial.position", "initial.velocity"})
     if (const double value = key_named(path).member.get(numbers); !std::isfinite(value))
       throw FieldError(path, value, "a finite number (" + std::string(key_named(path).magnitudes.unit) + ")");
+  const auto& [motion, wall_motion] = std::tie(numbers.motion, numbers.wall_motion);
+  const bool is_force = motion ? motion->is_force() : numbers.excitation.amplitude_of == AmplitudeOf::force;
+  const std::string force_key = motion ? motion->key() : "excitation.force";
+  const std::string force = motion ? "a force" : shortest_text(numbers.excitation.amplitude);
+  if (motion && is_force && numbers.kind() == StructureKind::beam)
+    throw FieldError(force_key, force, "a motion of the base with a [beam]");
+  if (wall_motion && wall_motion->is_force()) throw FieldError(wall_motion->key(), "a force", "a motion");
+  if (wall_motion && numbers.wall.speed != 0.0)
+    throw FieldError("wall.speed", numbers.wall.speed, "left out where " + wall_motion->key() + " is given");
+  if (!wall_motion && numbers.wall_scale != 1.0)
+    throw FieldError("wall.scale", numbers.wall_scale, "left out without a motion of the wall");
   if (numbers.kind() != StructureKind::matrices) return;
-  const bool is_force = numbers.excitation.amplitude_of == AmplitudeOf::force;
   if (is_force && numbers.matrices->load.empty())
-    throw FieldError("excitation.force", numbers.excitation.amplitude,
-                     "left out without model.load, the rows that it acts on");
+    throw FieldError(force_key, force, "left out without model.load, the rows that it acts on");
   if (!is_force && !numbers.matrices->load.empty())
     throw FieldError("model.load", "given", "left out without excitation.force, which acts on it");
   const DampingProperties& damping = numbers.damping;
@@ -226,14 +281,20 @@ bool state_the_same(std::string_view path, std::string_view other) {
   const auto are_both_in = [&](std::span<const std::string_view> keys) {
     return std::ranges::find(keys, path) != keys.end() && std::ranges::find(keys, other) != keys.end();
   };
-  return path == other || are_both_in(amplitude_keys) || are_both_in(durations) || are_both_in(shears) ||
-         are_both_in(ratios);
+  constexpr std::array<std::string_view, 3> walls{"wall.amplitude", "wall.velocity_amplitude",
+                                                  "wall.acceleration_amplitude"};
+  return path == other || are_both_in(amplitude_keys) || are_both_in(walls) || are_both_in(durations) ||
+         are_both_in(shears) || are_both_in(ratios);
 }
 
 const Key& key_stated(std::string_view path, std::string_view text) {
-  if (path == amplitude_keys.front())
+  const bool is_wall = path == "wall.amplitude";
+  if (is_wall || path == amplitude_keys.front())
     for (const std::string_view other : amplitude_keys)
-      if (quantity_in(text, key_named(other).magnitudes.unit, false)) return key_named(other);
+      if (const Key& key = key_named(other); quantity_in(text, key.magnitudes.unit, false)) {
+        if (!is_wall) return key;
+        if (other != amplitude_keys.back()) return key_named("wall." + std::string(key.name()));
+      }
   return key_named(path);
 }
 
@@ -276,14 +337,29 @@ Structure structure_of(const CaseNumbers& numbers) {
   return Model(numbers.model.normal_force, numbers.matrices);
 }
 
+Motion motion_of(const CaseNumbers& numbers) {
+  if (!numbers.motion) return HarmonicExcitation(numbers.excitation);
+  return numbers.motion->scaled(numbers.excitation.scale).lasting(numbers.numerics.duration);
+}
+
+namespace {
+
+std::optional<GeneralMotion> wall_motion_of(const CaseNumbers& numbers) {
+  if (!numbers.wall_motion) return std::nullopt;
+  return numbers.wall_motion->scaled(numbers.wall_scale).lasting(numbers.numerics.duration);
+}
+
+}  // namespace
+
 Case case_of(const std::string& name, const CaseNumbers& numbers) {
   require_consistent(numbers);
   return {.name = printable(name, 255),  // that of a file, which may hold anything
           .structure = structure_of(numbers),
-          .motion = HarmonicExcitation(numbers.excitation),
+          .motion = motion_of(numbers),
           .contact = {.friction = FrictionLaw(numbers.friction),
                       .compliance = TangentialContact(numbers.contact),
-                      .wall = Wall(numbers.wall)},
+                      .wall = Wall(numbers.wall),
+                      .wall_motion = wall_motion_of(numbers)},
           .numerics = NumericalSettings(numbers.numerics),
           .damping = Damping(numbers.damping),
           .section = numbers.section,
@@ -292,11 +368,20 @@ Case case_of(const std::string& name, const CaseNumbers& numbers) {
           .initial = numbers.initial};
 }
 
+namespace {
+
+// A flag that is not set, and a scale of 1.
+bool is_left_out(const Key& key, double value) {
+  return (key.member.is_flag && value == 0.0) || (key.name() == "scale" && value == 1.0);
+}
+
+}  // namespace
+
 std::map<std::string, double> numbers_of(const Case& problem) {
   const CaseNumbers all = numbers_in(problem);
   std::map<std::string, double> numbers;
   for (const Key& key : key_table::all)
-    if (has(all, key) && !(key.member.is_flag && key.member.get(all) == 0.0) &&
+    if (has(all, key) && !is_left_out(key, key.member.get(all)) &&
         (key.presence != Presence::alternative || &key == &stated_amplitude(problem.excitation())))
       numbers.emplace(key.path, key.member.get(all));
   return numbers;
@@ -309,7 +394,8 @@ Case case_with(const std::string& name, const std::map<std::string, double>& num
     all.numerics.elements = 1;
   for (const Key& key : key_table::all) {
     const std::string path(key.path);
-    const bool must_be_there = key.presence != Presence::alternative && !key.member.is_flag && has(all, key);
+    const bool must_be_there = key.presence != Presence::alternative && !key.member.is_flag &&
+                               key.name() != "scale" && has(all, key);
     if (must_be_there || numbers.contains(path)) key.member.set(all, numbers.at(path));
   }
   return case_of(name, all);
@@ -342,6 +428,9 @@ CaseNumbers numbers_with(const Case& problem,
     const Key& key = key_named(path);
     const bool may_come = key.name() == "poissons_ratio" && before.section.is_given();
     if (!key.is_of(before.kind())) throw FieldError(path, value, key.reason_against(before.kind()));
+    const GeneralMotion* motion = problem.general_motion();
+    if (!has(before, key) && motion != nullptr && key.table() == "excitation")
+      throw FieldError(path, value, "left out: the motion is that of " + motion->key());
     if (!has(before, key) && !may_come)
       throw FieldError(path, value, "left out: the case has no [section] with it");
     key.member.set(after, value);
@@ -380,8 +469,9 @@ Case with_values(const Case& problem, const std::vector<std::pair<std::string_vi
 Case restated(const Case& problem, const std::vector<std::pair<std::string_view, double>>& values) {
   CaseNumbers numbers = numbers_with(problem, values);
   CaseNumbers defaults;
-  defaults.numerics = default_numerics(structure_of(numbers), HarmonicExcitation(numbers.excitation),
-                                       numbers.numerics.duration, Damping(numbers.damping));
+  defaults.numerics =
+      default_numerics(structure_of(numbers), highest_frequency_hz(motion_of(numbers), numbers.wall_motion),
+                       numbers.numerics.duration, Damping(numbers.damping));
   for (const std::string& path : problem.default_numerics) {
     const KeyMember& member = key_named(path).member;
     member.set(numbers, member.get(defaults));

@@ -191,12 +191,14 @@ HarmonicExcitation::HarmonicExcitation(const HarmonicMotion& motion)
   constexpr std::array units{" (m)", " (m/s)", " (m/s^2)", " (N)"};
   const auto kind = static_cast<std::size_t>(motion.amplitude_of);
   require_not_negative(amplitude_keys.at(kind), motion.amplitude, units.at(kind));
+  require_not_negative("excitation.scale", motion.scale, "");
 }
 
 HarmonicMotion HarmonicExcitation::stated_as(AmplitudeOf kind) const {
   if (kind == motion_.amplitude_of) return motion_;
   const double omega = 2.0 * std::numbers::pi * frequency_hz();
-  return {frequency_hz(), amplitude() * std::pow(omega, derivatives(kind)), kind};
+  return {frequency_hz(), motion_.amplitude * unit_amplitude_ * std::pow(omega, derivatives(kind)), kind,
+          motion_.scale};
 }
 
 Damping::Damping(const DampingProperties& properties) : properties_(properties) {
@@ -253,6 +255,25 @@ NumericalSettings::NumericalSettings(const NumericalChoices& choices) : choices_
                      "at most a billion times numerics.time_step, which is " + shortest_text(time_step()));
 }
 
+namespace {
+
+// Whether base or wall have a general motion of this kind, as 1 or 0.
+template <bool Wall, std::size_t Kind>
+constexpr FeatureKey general_motion(std::string_view path) {
+  return {.path = path,
+          .feature = Feature::general_motion,
+          .value =
+              [](const Case& of) {
+                const auto* base = of.general_motion();
+                const auto* wall = of.contact.wall_motion ? &*of.contact.wall_motion : nullptr;
+                const auto* motion = Wall ? wall : base;
+                return motion != nullptr && motion->statement().index() == Kind ? 1.0 : 0.0;
+              },
+          .word = "given"};
+}
+
+}  // namespace
+
 std::span<const FeatureKey> feature_keys() {
   static constexpr auto of_beam = [](const Case& of, auto number) {
     const auto* beam = std::get_if<Beam>(&of.structure);
@@ -282,17 +303,27 @@ std::span<const FeatureKey> feature_keys() {
       FeatureKey{"beam.axial_direction", Feature::fixed_axial_force,
                  [](const Case& of) { return of_beam(of, &Beam::axial_direction); }},
       FeatureKey{"wall.with_base", Feature::wall_with_base,
-                 [](const Case& of) { return of.contact.wall.moves_with_base() ? 1.0 : 0.0; }, 0.0, true},
+                 [](const Case& of) { return of.contact.wall.moves_with_base() ? 1.0 : 0.0; }, 0.0, "true"},
       FeatureKey{"excitation.force", Feature::force,
                  [](const Case& of) {
-                   return of.excitation().is_force() ? of.excitation().motion().amplitude : 0.0;
+                   const auto* sine = std::get_if<HarmonicExcitation>(&of.motion);
+                   if (sine == nullptr) return of.general_motion()->is_force() ? 1.0 : 0.0;
+                   return sine->is_force() ? sine->motion().amplitude : 0.0;
                  }},
       FeatureKey{"excitation.constant_force", Feature::constant_force,
                  [](const Case& of) { return of.constant_force; }},
       FeatureKey{"initial.position", Feature::initial_state,
                  [](const Case& of) { return of.initial.position; }},
       FeatureKey{"initial.velocity", Feature::initial_state,
-                 [](const Case& of) { return of.initial.velocity; }}};
+                 [](const Case& of) { return of.initial.velocity; }},
+      general_motion<false, 0>("excitation.sines"),
+      general_motion<false, 1>("excitation.sweep"),
+      general_motion<false, 2>("excitation.shock"),
+      general_motion<false, 3>("excitation.file"),
+      general_motion<true, 0>("wall.sines"),
+      general_motion<true, 1>("wall.sweep"),
+      general_motion<true, 2>("wall.shock"),
+      general_motion<true, 3>("wall.file")};
   return keys;
 }
 
@@ -300,6 +331,23 @@ const Beam& Case::beam() const {
   if (const auto* beam = std::get_if<Beam>(&structure)) return *beam;
   throw FieldError("model.normal_force", normal_force(),
                    "left out: this is for a [beam] alone, not for a [model]");
+}
+
+const HarmonicExcitation& Case::excitation() const {
+  if (const auto* sine = std::get_if<HarmonicExcitation>(&motion)) return *sine;
+  throw FieldError(general_motion()->key(), "given",
+                   "left out: this needs one sine, by excitation.frequency_hz");
+}
+
+double highest_frequency_hz(const Motion& base, const std::optional<GeneralMotion>& wall) {
+  const auto* sine = std::get_if<HarmonicExcitation>(&base);
+  const double highest =
+      sine != nullptr ? sine->frequency_hz() : std::get<GeneralMotion>(base).highest_frequency_hz();
+  return wall ? std::max(highest, wall->highest_frequency_hz()) : highest;
+}
+
+double highest_frequency_hz(const Case& problem) {
+  return highest_frequency_hz(problem.motion, problem.contact.wall_motion);
 }
 
 bool Case::is_damped() const noexcept {

@@ -2,7 +2,6 @@
 #include "stickslip/data/user_table.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -17,23 +16,6 @@
 namespace stickslip::data {
 
 namespace {
-
-// As names are compared: in lower case, with an underscore for a blank or a hyphen.
-std::string folded(std::string_view name) {
-  std::string text(trimmed(name));
-  for (char& c : text)
-    c = c == ' ' || c == '-' ? '_' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
-}
-
-// The unit in a header such as name_unit, if the name is this one.
-std::optional<std::string> unit_behind(const std::string& name, const std::string& header) {
-  if (header.size() <= name.size() + 1 || (header[name.size()] != '_' && header[name.size()] != '/'))
-    return std::nullopt;
-  if (folded(header.substr(0, name.size())) != folded(name)) return std::nullopt;
-  const std::string unit = header.substr(name.size() + 1);
-  return unit_named(unit) ? std::optional(unit) : std::nullopt;
-}
 
 // The names that the files of `stickslip respond` have for columns of the data sets, and t for time.
 const std::vector<std::pair<std::string, std::string>> other_names{
@@ -81,14 +63,6 @@ class UserTableReader {
     return found == mappings_.end() ? nullptr : &*found;
   }
 
-  // Whether one of their headers is this name, and the unit that it says.
-  [[nodiscard]] static std::optional<Header> match(const std::string& text, const std::string& name) {
-    if (folded(text) == folded(name)) return Header{text, std::nullopt};
-    if (Header header = header_of(text); folded(header.name) == folded(name)) return header;
-    if (const auto unit = unit_behind(name, text)) return Header{name, *unit};
-    return std::nullopt;
-  }
-
   [[nodiscard]] std::optional<Source> find(const Field& field) const {
     const ColumnMapping* mapping = mapping_of(field.name);
     if (mapping != nullptr) return find_named(field, mapping->theirs, mapping);
@@ -102,7 +76,7 @@ class UserTableReader {
                                                  const ColumnMapping* mapping) const {
     std::optional<Source> source;
     for (std::size_t i = 0; i < csv_.names().size(); ++i) {
-      const auto header = match(csv_.names()[i], name);
+      const auto header = header_named(csv_.names()[i], name);
       if (!header) continue;
       if (source)
         throw InputError(csv_.place(csv_.line_of_names(), i) + ": the column " + printable(name) +

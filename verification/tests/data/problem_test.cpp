@@ -64,6 +64,7 @@ const std::vector<Rule> rules{
     {"excitation.velocity_amplitude", "m/s", 1e-18, 1e18, not_negative},
     {"excitation.acceleration_amplitude", "m/s^2", 1e-18, 1e18, not_negative},
     {"excitation.force", "N", 1e-18, 1e18, not_negative},
+    {"excitation.scale", "", 1e-9, 1e9, not_negative},
     {"excitation.constant_force", "N", 1e-18, 1e18, finite},
     {"excitation.duration", "s", 1e-15, 1e15, {1e-4, 1e5, true, true}},  // 1 to 1e9 time steps
     {"numerics.elements", "", 0.0, infinity, {1.0, 100000.0, true, true}},
@@ -78,6 +79,7 @@ const std::vector<Rule> rules{
     {"contact.tangential_stiffness", "N/m", 1e-18, 1e24, {0.0, infinity, false, true}},
     {"contact.regularisation_velocity", "m/s", 1e-18, 1e9, not_negative},
     {"wall.speed", "m/s", 1e-15, 1e9, finite},
+    {"wall.scale", "", 1e-9, 1e9, not_negative},
     {"initial.position", "m", 1e-18, 1e6, finite},
     {"initial.velocity", "m/s", 1e-18, 1e9, finite},
     {"section.width", "m", 1e-9, 1e6, positive},
@@ -89,7 +91,8 @@ const std::vector<Rule> rules{
 data::Case case_for(const std::string& path) {
   const std::string common =
       "[friction]\nstatic_coefficient = 0.6\nkinetic_coefficient = 0.3\n[excitation]\n"
-      "frequency_hz = 25\namplitude = 1e-3\n[numerics]\ntime_step = 1e-4\n";
+      "frequency_hz = 25\namplitude = 1e-3\n[numerics]\ntime_step = 1e-4\n" +
+      std::string(path == "wall.scale" ? "[wall]\nsines = [[20, 1e-3]]\n" : "");
   if (!data::key_named(path).is_of(data::StructureKind::beam))
     return data::parse_case("base.toml", "[model]\nmass = 2\nstiffness = 100\nnormal_force = 3\n" + common);
   const std::string section = path == "section.diameter" ? "shape = 'circle'\ndiameter = 0.1\n"

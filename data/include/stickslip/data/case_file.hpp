@@ -15,6 +15,14 @@
 ///   beam.material, a name of list_materials(): beam.density, beam.youngs_modulus;
 ///   beam.poissons_ratio, with a section: beam.shear_stiffness;
 ///   excitation.velocity_amplitude (m/s) or acceleration_amplitude (m/s^2): excitation.amplitude, which takes their units, too.
+/// [excitation] has in place of frequency_hz one of
+///   sines = [[20, "0.1 mm", 0], [35, "0.5 g", 90]]: Hz, an amplitude of any kind, a phase in degrees that may be missing;
+///   sweep = { from = "5 Hz", to = "200 Hz", rate = "1 oct/min" } or a rate as "2 Hz/s", with one of the amplitudes;
+///   shock = { shape = "half-sine", duration = "11 ms" } or "sawtooth" or "trapezoid", with one of the amplitudes;
+///   file = "road.csv", a table in the folder of the case or below, with column, quantity ("displacement", "velocity",
+///     "acceleration" or "force"), unit where the name of the column does not say it, rate where it has no column "t" or "time", and
+///     high_pass or initial_displacement and initial_velocity. The duration is that of the record.
+/// [wall] takes the same keys, but no frequency_hz and no force.
 /// [model] has the numbers of one mass, or in place of mass, stiffness and damping of the matrices of a structure, in files in the
 /// folder of the case or below: mass_matrix, stiffness_matrix, damping_matrix (Matrix Market, or with dofs those of CalculiX), in the
 /// units "m" (m, kg, s) or "mm" (mm, t, s; a row that is a rotation is then that times 1 mm), and base, fixed, contact and load, which
@@ -100,7 +108,7 @@ struct Material {
 constexpr double default_duration = 10.0;
 
 /// Settings for a case that does not state them, from its shortest vibration that matters. That is stick mode
-/// k: the tenth, or the first of more than four times the excitation frequency if that is higher, at most the
+/// k: the tenth, or the first of more than four times the highest frequency of the motions if that is higher, at most the
 /// 200th. Its frequency without axial force is f_k = ((k + 1/4) pi)^2 sqrt(EI/(rho A L^4))/(2 pi), to 1e-7 of
 /// itself.
 ///
@@ -112,12 +120,11 @@ constexpr double default_duration = 10.0;
 ///     velocity_threshold  0 m/s
 ///     modes               k
 ///
-/// Of a Model: 1 element, which nothing uses; a time step of 1/(2000 f) with the higher of the frequencies of the excitation and, of one
-/// mass, of its spring; spectral_radius 0.9; 20 modes.
+/// Of a Model: 1 element, which nothing uses; a time step of 1/(2000 f) with the higher of the highest frequency of the motions and, of
+/// one mass, that of its spring; spectral_radius 0.9; 20 modes.
 ///
 /// Why these: see the user guide, "Defaults of [numerics]".
-[[nodiscard]] NumericalChoices default_numerics(const Structure& structure,
-                                                const HarmonicExcitation& excitation, double duration,
-                                                const Damping& damping = Damping());
+[[nodiscard]] NumericalChoices default_numerics(const Structure& structure, double highest_hz,
+                                                double duration, const Damping& damping = Damping());
 
 }  // namespace stickslip::data

@@ -25,9 +25,10 @@ class CsvReader {
  public:
   using Cells = std::vector<std::string>;
 
-  /// Reads the names of the columns from the text of a file, unless they are given because it has none. Throws InputError,
-  /// naming the file, if there are none or the text is not in UTF-8.
-  CsvReader(std::filesystem::path file, std::string_view text, Cells names = {});
+  /// Reads the names of the columns from the text of a file, unless they are given because it has none, as the rest of a file
+  /// behind some lines. Throws InputError, naming the file, if there are none or the text is not in UTF-8.
+  CsvReader(std::filesystem::path file, std::string_view text, Cells names = {},
+            std::size_t lines_before = 0);
 
   [[nodiscard]] const Cells& names() const noexcept { return names_; }
 
@@ -38,6 +39,8 @@ class CsvReader {
   /// Where the names stand and where the row stands that was read last, counted from 1.
   [[nodiscard]] std::size_t line_of_names() const noexcept { return line_of_names_; }
   [[nodiscard]] std::size_t line() const noexcept { return line_of_row_; }
+  /// The lines that are read, of the whole file.
+  [[nodiscard]] std::size_t lines() const noexcept { return line_; }
 
   /// The number of a cell, as finite_number; also with a Fortran exponent (1.0D-03) and, unless commas separate
   /// the cells, with a decimal comma.
@@ -79,6 +82,12 @@ struct Header {
 
 /// Takes "name [unit]", "name (unit)" or "name / unit" apart; any other text is a name.
 [[nodiscard]] Header header_of(std::string_view text);
+
+/// As names of columns are compared: in lower case, with an underscore for a blank or a hyphen.
+[[nodiscard]] std::string folded(std::string_view name);
+
+/// The header, if its name is this one; `name_unit` and `name/unit` are one with a unit, too.
+[[nodiscard]] std::optional<Header> header_named(std::string_view text, std::string_view name);
 
 /// The finite number that the whole text is, if it is one; a leading + is allowed.
 [[nodiscard]] std::optional<double> finite_number(std::string_view text);

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,17 +27,23 @@ inline constexpr Limit case_bytes{"bytes of a case", 1'000'000},
     package_levels{"levels of nesting in `datapackage.json`", 100},
     table_bytes{"bytes of a table, also once decompressed", 50'000'000},
     table_columns{"columns of a table", 10'000}, map_bytes{"bytes of a map", 500'000'000},
+    record_bytes{"bytes of a record of a motion", 500'000'000},
     map_values{"values along an axis of a map", 2000},
     number_length{"characters of a number with its unit", 1000},
     mistakes{"mistakes of a case, after which the rest is not read", 20};
-inline constexpr std::array all{case_bytes,     case_dots,     matrix_bytes,  package_bytes,
-                                package_levels, table_bytes,   table_columns, map_bytes,
-                                map_values,     number_length, mistakes};
+inline constexpr std::array all{case_bytes,     case_dots,   matrix_bytes,  package_bytes,
+                                package_levels, table_bytes, table_columns, map_bytes,
+                                record_bytes,   map_values,  number_length, mistakes};
 }  // namespace limit
 
 /// The bytes of a file, of which there may be `most`. Throws InputError, naming the file, if it cannot be
 /// read, is empty or larger.
 [[nodiscard]] std::string read_bounded(const std::filesystem::path& file, std::size_t most);
+
+/// Hands the bytes of a file, of which there may be `most`, on in parts that end with a line, and returns their SHA-256 digest.
+/// Throws what read_bounded() throws.
+[[nodiscard]] std::string read_lines(const std::filesystem::path& file, std::size_t most,
+                                     const std::function<void(std::string_view)>& take);
 
 /// From here on, or no longer, no AtomicFile may be a file that read_bounded() has read.
 void protect_inputs(bool from_here_on);

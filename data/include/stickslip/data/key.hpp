@@ -8,6 +8,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -27,7 +28,10 @@ struct CaseNumbers {
   ModelProperties model;
   std::shared_ptr<const StructureMatrices> matrices;  ///< of a model that is not one mass
   FrictionCoefficients friction;
-  HarmonicMotion excitation;
+  HarmonicMotion excitation;            ///< of `motion` only its scale
+  std::optional<GeneralMotion> motion;  ///< of the base, in place of one sine
+  std::optional<GeneralMotion> wall_motion;
+  double wall_scale{1.0};
   NumericalChoices numerics;
   DampingProperties damping;
   ContactProperties contact;
@@ -127,11 +131,14 @@ struct Key {
 /// The structure with these numbers. Throws FieldError.
 [[nodiscard]] Structure structure_of(const CaseNumbers& numbers);
 
+/// The motion of the base with these numbers. Throws FieldError.
+[[nodiscard]] Motion motion_of(const CaseNumbers& numbers);
+
 /// The case with these numbers. Throws FieldError for a number that the problem types do not allow, and where a force and the rows
 /// that it acts on are not given together, or a damping ratio besides a damping matrix.
 [[nodiscard]] Case case_of(const std::string& name, const CaseNumbers& numbers);
 
-/// The numbers of a case by their paths; without the keys of a section that it was not given by and without flags that are not set,
+/// The numbers of a case by their paths; without the keys of a section that it was not given by, flags that are not set and scales of 1,
 /// and with the amplitude that it states.
 [[nodiscard]] std::map<std::string, double> numbers_of(const Case& problem);
 

@@ -32,6 +32,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
@@ -41,6 +42,7 @@
 #include <variant>
 #include <vector>
 
+#include "stickslip/data/general_motion.hpp"
 #include "stickslip/data/input_error.hpp"
 #include "stickslip/data/model.hpp"
 
@@ -179,14 +181,6 @@ void require_rigid(const TangentialContact& contact, std::string_view what);
 /// never is quite at rest, the static coefficient would not act.
 void require_usable(const FrictionLaw& friction, const TangentialContact& contact);
 
-/// What an amplitude is one of: of the motion of the base, or of the force on the load of a Model.
-enum class AmplitudeOf { displacement, velocity, acceleration, force };
-
-/// The number of derivatives in time of the base motion that are proportional to it.
-[[nodiscard]] constexpr int derivatives(AmplitudeOf kind) noexcept {
-  return kind == AmplitudeOf::force ? 2 : static_cast<int>(kind);
-}
-
 /// The keys that state an amplitude, by AmplitudeOf.
 inline constexpr std::array<std::string_view, 4> amplitude_keys{
     "excitation.amplitude", "excitation.velocity_amplitude", "excitation.acceleration_amplitude",
@@ -197,10 +191,11 @@ struct HarmonicMotion {
   double frequency_hz{};       ///< Hz, > 0
   double amplitude{};          ///< as it is stated, m, m/s, m/s² or N, ≥ 0
   AmplitudeOf amplitude_of{};  ///< what it is the amplitude of
+  double scale{1.0};           ///< of the amplitude, ≥ 0
 };
 
 /// Harmonic base displacement h(t) = A0 sin(Ω t), Ω = 2 π frequency_hz. The k-th derivative of h has the amplitude A0 Ω^k. One
-/// of these amplitudes is stated, and stays where the frequency changes. A force F0 sin(Ω t) on the load of a Model is
+/// of these amplitudes is stated, times a scale, and stays where the frequency changes. A force F0 sin(Ω t) on the load of a Model is
 /// -h_tt times 1 kg: it has A0 = F0 Ω^-2, and everything per unit of A0 holds for it as for an acceleration. Cannot be built
 /// invalid.
 class HarmonicExcitation {
@@ -210,7 +205,9 @@ class HarmonicExcitation {
 
   [[nodiscard]] double frequency_hz() const noexcept { return motion_.frequency_hz; }
   /// A0, m.
-  [[nodiscard]] double amplitude() const noexcept { return motion_.amplitude * unit_amplitude_; }
+  [[nodiscard]] double amplitude() const noexcept { return stated() * unit_amplitude_; }
+  /// The amplitude as it is stated, times the scale.
+  [[nodiscard]] double stated() const noexcept { return motion_.amplitude * motion_.scale; }
   /// A0 where what is stated is 1: Ω^-k, m.
   [[nodiscard]] double unit_amplitude() const noexcept { return unit_amplitude_; }
   [[nodiscard]] const HarmonicMotion& motion() const noexcept { return motion_; }
@@ -341,13 +338,14 @@ class NumericalSettings {
 using Structure = std::variant<Beam, Model>;
 
 /// The motion of the base: one of these.
-using Motion = std::variant<HarmonicExcitation>;
+using Motion = std::variant<HarmonicExcitation, GeneralMotion>;
 
 /// The frictional contact: law, compliance and wall. The force that closes it is Case::normal_force().
 struct Contact {
   FrictionLaw friction;
   TangentialContact compliance{};
   Wall wall{};
+  std::optional<GeneralMotion> wall_motion{};  ///< besides that of `wall`, on the clock of the base
 };
 
 /// What a case, or a run of it, asks for beyond a beam of Euler and Bernoulli without damping on a rigid contact at rest.
@@ -364,6 +362,7 @@ enum class Feature {
   force,              ///< excitation.force
   constant_force,     ///< excitation.constant_force
   initial_state,      ///< [initial]
+  general_motion,     ///< a GeneralMotion of base or wall
   start_at_rest,      ///< u_t(x,0) = 0, of a run
   contact_scheme      ///< a choice of it, of a run
 };
@@ -387,7 +386,16 @@ struct Case {
   [[nodiscard]] const Beam& beam() const;
   /// nullptr for a beam.
   [[nodiscard]] const Model* model() const noexcept { return std::get_if<Model>(&structure); }
-  [[nodiscard]] const HarmonicExcitation& excitation() const { return std::get<HarmonicExcitation>(motion); }
+  /// Throws FieldError, naming the key that states the motion, for a GeneralMotion: what calls this needs one sine.
+  [[nodiscard]] const HarmonicExcitation& excitation() const;
+  /// nullptr for one sine.
+  [[nodiscard]] const GeneralMotion* general_motion() const noexcept {
+    return std::get_if<GeneralMotion>(&motion);
+  }
+  /// Whether the excitation is a force on the load of a Model, in place of a motion of the base.
+  [[nodiscard]] bool is_force() const noexcept {
+    return std::visit([](const auto& excitation) { return excitation.is_force(); }, motion);
+  }
   /// Whether the structure loses energy without friction: by [damping], or by what a Model has of its own.
   [[nodiscard]] bool is_damped() const noexcept;
   /// N, newton: the axial force of a beam, or that of a Model.
@@ -402,11 +410,15 @@ struct FeatureKey {
   Feature feature{};
   double (*value)(const Case&){};  ///< SI units; `plain` where the case has no such key
   double plain{};
-  bool is_flag{};  ///< true or false, as 1 or 0
+  std::string_view word{};  ///< in place of the number, "true" or "given"
 };
 
 /// All of them; two keys may ask for one feature.
 [[nodiscard]] std::span<const FeatureKey> feature_keys();
+
+/// Hz: of one sine its frequency, else the higher of the highest frequencies of the motions of base and wall.
+[[nodiscard]] double highest_frequency_hz(const Motion& base, const std::optional<GeneralMotion>& wall);
+[[nodiscard]] double highest_frequency_hz(const Case& problem);
 
 /// The case with other parts, each known by its type: with(problem, excitation, damping). Another beam has no section.
 template <typename... Part>
@@ -416,10 +428,11 @@ template <typename... Part>
     if constexpr (std::is_same_v<Type, Beam>) {
       problem.structure = part;
       problem.section = {};
+    } else if constexpr (std::is_same_v<Type, HarmonicExcitation> || std::is_same_v<Type, GeneralMotion>) {
+      problem.motion = part;
     } else {
-      std::get<Type&>(std::tie(problem.contact.friction, std::get<HarmonicExcitation>(problem.motion),
-                               problem.numerics, problem.damping, problem.contact.compliance,
-                               problem.contact.wall)) = part;
+      std::get<Type&>(std::tie(problem.contact.friction, problem.numerics, problem.damping,
+                               problem.contact.compliance, problem.contact.wall)) = part;
     }
   };
   (set(parts), ...);
