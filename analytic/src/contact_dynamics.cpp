@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <string>
 #include <utility>
@@ -97,6 +98,8 @@ void require_consistent(const ContactModel& model) {
 ContactDynamics::ContactDynamics(const ContactModel& model) : model_(model) {
   require_consistent(model_);
   free_mass_ = model_.free_mass();
+  if (model_.drive) cursor_.emplace(*model_.drive);
+  enter(0.0);
   if (model_.damping.empty()) return;
   const std::size_t rows = modes() + 1;
   column_length_ = (rows + kTogether - 1) / kTogether * kTogether;
@@ -111,37 +114,78 @@ double ContactDynamics::fastest() const {
   return fastest;
 }
 
+void ContactDynamics::enter(double t) const {
+  if (!cursor_) return;
+  const DrivePiece& piece = cursor_->enter(t);
+  base_[0] = piece.base;
+  wall_[0] = piece.wall;
+  for (std::size_t k = 1; k < base_.size(); ++k) {
+    base_[k] = derivative(base_[k - 1]);
+    wall_[k] = derivative(wall_[k - 1]);
+  }
+}
+
+double ContactDynamics::piece_end() const {
+  return cursor_ && !piece().is_last ? piece().end : std::numeric_limits<double>::infinity();
+}
+
+double ContactDynamics::along_wall(int rate, double t) const {
+  return value(wall_[static_cast<std::size_t>(rate)], t - piece().begin);
+}
+
+double ContactDynamics::base_displacement(double t) const {
+  if (!cursor_) return model_.base_amplitude * load(t).sine;
+  return model_.drive->base_moves() ? value(base_[0], t - piece().begin) : 0.0;
+}
+
+double ContactDynamics::base_velocity(double t) const {
+  if (!cursor_) return model_.base_amplitude * load_rate(t).sine;
+  return model_.drive->base_moves() ? value(base_[1], t - piece().begin) : 0.0;
+}
+
 LoadFactors ContactDynamics::load(double t) const {
+  if (cursor_) {
+    const double tau = t - piece().begin;
+    return {value(base_[2], tau), value(base_[1], tau), value(base_[0], tau)};
+  }
   return {std::sin(model_.load_angular_frequency * t), std::cos(model_.load_angular_frequency * t)};
 }
 
 LoadFactors ContactDynamics::load_rate(double t) const {
+  if (cursor_) {
+    const double tau = t - piece().begin;
+    return {value(base_[3], tau), value(base_[2], tau), value(base_[1], tau)};
+  }
   const double omega = model_.load_angular_frequency;
   return {omega * std::cos(omega * t), -omega * std::sin(omega * t)};
 }
 
 double ContactDynamics::wall_displacement(double t) const {
+  if (cursor_) return along_wall(0, t);
   return model_.wall_amplitude * load(t).sine + model_.wall_speed * t;
 }
 
 double ContactDynamics::wall_velocity(double t) const {
+  if (cursor_) return along_wall(1, t);
   if (model_.wall_amplitude == 0.0) return model_.wall_speed;
   return model_.wall_amplitude * load_rate(t).sine + model_.wall_speed;
 }
 
 double ContactDynamics::wall_acceleration(double t) const {
+  if (cursor_) return along_wall(2, t);
   return -std::pow(model_.load_angular_frequency, 2) * (model_.wall_amplitude * load(t).sine);
 }
 
 double ContactDynamics::wall_jerk(double t) const {
+  if (cursor_) return along_wall(3, t);
   return -std::pow(model_.load_angular_frequency, 2) * (model_.wall_amplitude * load_rate(t).sine);
 }
 
 double ContactDynamics::push(const KinematicsView& state, const LoadFactors& load, double f,
                              std::span<double> modal) const {
   const std::size_t m = modes();
-  double contact = model_.load[m] * load.sine + f - held_stiffness() * state.displacement -
-                   dot(model_.follower, state.amplitudes);
+  double contact = model_.load[m] * load.sine + model_.base_load * load.base + f -
+                   held_stiffness() * state.displacement - dot(model_.follower, state.amplitudes);
   for (std::size_t n = 0; n < m; ++n) {
     const double omega = model_.angular_frequency[n];
     modal[n] = model_.load[n] * load.sine - omega * omega * state.amplitudes[n];
@@ -186,6 +230,7 @@ Powers ContactDynamics::powers(const KinematicsView& state, double t, double fri
   if (!model_.load_cosine.empty())
     powers.base += factors.cosine * (dot(std::span(model_.load_cosine).first(m), state.rates) +
                                      model_.load_cosine[m] * state.velocity);
+  powers.base += factors.base * model_.base_load * state.velocity;
   powers.follower = -state.velocity *
                     (dot(model_.follower, state.amplitudes) + model_.contact_follower * state.displacement);
   powers.friction = -friction_force * (state.velocity - wall_velocity(t));

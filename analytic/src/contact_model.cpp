@@ -6,17 +6,19 @@
 
 #include "stickslip/analytic/held_beam.hpp"
 #include "stickslip/analytic/held_model.hpp"
+#include "stickslip/analytic/stick_reaction.hpp"
 
 namespace stickslip::analytic {
 
 double wall_share(const data::Case& problem) {
-  return problem.contact.wall.moves_with_base() || problem.excitation().is_force() ? 0.0 : 1.0;
+  return problem.contact.wall.moves_with_base() || problem.is_force() ? 0.0 : 1.0;
 }
 
 HeldStructure held_structure(const data::Case& problem, int modes) {
   if (problem.model() != nullptr) return held_model(problem, modes);
   HeldStructure structure = HeldBeam(problem.beam(), problem.damping, modes).structure();
   structure.wall_share = wall_share(problem);
+  structure.moved_mass = problem.beam().density() * problem.beam().area() * problem.beam().length();
   return structure;
 }
 
@@ -34,11 +36,32 @@ ContactModel contact_model(HeldStructure structure, const data::HarmonicExcitati
   return model;
 }
 
+namespace {
+
+ContactModel driven_model(HeldStructure structure, const data::Case& problem) {
+  ContactModel model;
+  static_cast<HeldStructure&>(model) = std::move(structure);
+  for (const double participation : model.participation) model.load.push_back(-participation);
+  for (const double drag : model.drag) model.load_cosine.push_back(-drag);
+  model.base_load = -model.base_stiffness;
+  if (problem.model() == nullptr)
+    model.omitted = {.angular_frequency =
+                         held_modes(problem, static_cast<int>(model.modes()) + 1).back().angular_frequency,
+                     .contact = model.free_mass()};
+  model.drive = std::make_shared<const Drive>(problem);
+  model.load_angular_frequency = model.drive->angular_frequency();
+  return model;
+}
+
+}  // namespace
+
 ContactModel contact_model(HeldStructure structure, const data::Case& problem) {
   structure.wall_share = wall_share(problem);
-  ContactModel model = contact_model(std::move(structure), problem.excitation());
+  const bool is_driven = problem.has(data::Feature::general_motion);
+  ContactModel model = is_driven ? driven_model(std::move(structure), problem)
+                                 : contact_model(std::move(structure), problem.excitation());
   model.contact_force = problem.constant_force;
-  model.wall_speed = problem.contact.wall.speed();
+  if (!is_driven) model.wall_speed = problem.contact.wall.speed();
   model.normal_force = problem.normal_force();
   model.friction = problem.contact.friction;
   return model;

@@ -59,6 +59,7 @@ EventDriven::EventDriven(EventDriven&&) noexcept = default;
 void EventDriven::start(const std::vector<double>& amplitudes, const std::vector<double>& rates,
                         double position) {
   const std::size_t m = dynamics_->modes();
+  dynamics_->enter(0.0);
   now_ = {filled(amplitudes, m, "amplitudes"), filled(rates, m, "rates"),
           checked_finite(position, "position"), dynamics_->wall_velocity(0.0)};
   time_ = works_until_ = 0.0;
@@ -88,18 +89,30 @@ void EventDriven::advance_to(double t) {
   checked_finite(t, "t");
   if (t < time_) throw wrong_argument("t", t, "at or after " + data::shortest_text(time_) + " s");
   for (;;) {
+    const double end = dynamics_->piece_end();
+    if (time_ >= end) {
+      enter_next_piece();
+      continue;
+    }
     if (state_ == data::ContactState::stick) {
-      const auto onset = stick_.first_excess(certain_until_, t, limit_);
+      const double until = std::min(t, end);
+      const auto onset = stick_.first_excess(certain_until_, until, limit_);
       if (!onset) {
-        certain_until_ = t;
-        return move_to(t);
+        certain_until_ = until;
+        move_to(until);
+        if (until == t) return;
+        continue;
       }
       move_to(*onset);
       begin_slip(direction_against(holding_force()));
       record(data::ContactChange::onset);
     } else {
-      if (!ends_ && slip_->end_time() < t) {
-        ends_ = slip_->step();
+      if (!ends_ && slip_->end_time() < std::min(t, end)) {
+        ends_ = slip_->step(end);
+        continue;
+      }
+      if (!ends_ && slip_->end_time() >= end && end < t) {
+        move_to(end);
         continue;
       }
       if (slip_->end_time() > t || !ends_) return move_to(std::min(t, slip_->end_time()));
@@ -110,9 +123,18 @@ void EventDriven::advance_to(double t) {
   }
 }
 
-double EventDriven::base_displacement() const {
-  return dynamics_->model().base_amplitude * dynamics_->load(time_).sine;
+// The force may jump with the acceleration of a shock.
+void EventDriven::enter_next_piece() {
+  dynamics_->enter(time_);
+  if (state_ == data::ContactState::slip) return slip_->go_on();
+  stick_.go_on(time_);
+  const double force = holding_force();
+  if (std::abs(force) <= limit_) return;
+  begin_slip(direction_against(force));
+  record(data::ContactChange::onset);
 }
+
+double EventDriven::base_displacement() const { return dynamics_->base_displacement(time_); }
 
 double EventDriven::sliding_velocity() const {
   return state_ == data::ContactState::stick ? 0.0 : now_.velocity - dynamics_->wall_velocity(time_);
@@ -139,12 +161,14 @@ EventDrivenEnergy EventDriven::energy_balance() const {
 void EventDriven::prepare_slip() {
   const ContactModel& model = dynamics_->model();
   const double omega = model.load_angular_frequency;
-  const auto load = [&](std::size_t n) {
-    return std::hypot(model.load[n], model.load_cosine.empty() ? 0.0 : model.load_cosine[n]);
+  const auto [drive_peak, wall_velocity] =
+      model.drive ? model.drive->largest() : Drive::Largest{.acceleration = 1.0};
+  const auto load = [&, peak = drive_peak](std::size_t n) {
+    return peak * std::hypot(model.load[n], model.load_cosine.empty() ? 0.0 : model.load_cosine[n]);
   };
   double modal_load = 0.0;
   for (std::size_t n = 0; n < model.modes(); ++n) modal_load += std::pow(load(n), 2);
-  double speed = std::max({std::abs(model.wall_amplitude) * omega, std::abs(model.wall_speed),
+  double speed = std::max({std::abs(model.wall_amplitude) * omega, std::abs(model.wall_speed), wall_velocity,
                            std::sqrt(modal_load / model.contact_mass) / omega,
                            load(model.modes()) / (model.contact_mass * omega),
                            std::abs(model.contact_force) / (model.contact_mass * omega),

@@ -335,7 +335,7 @@ HeldStructure held_model(const data::Case& problem, int modes) {
   const auto basis = basis_of(problem.model()->shared_matrices(), at(modes));
   const std::size_t known = basis->angular_frequency.size(),
                     m = std::min(at(modes), basis->is_complete ? known : known - 1);
-  const bool is_force = problem.excitation().is_force();
+  const bool is_force = problem.is_force();
   HeldStructure structure;
   structure.angular_frequency = first(basis->angular_frequency, m);
   structure.mass_coupling = first(basis->wall, m);

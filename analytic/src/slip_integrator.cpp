@@ -101,12 +101,18 @@ void SlipIntegrator::begin_at_end(double direction) {
   length_ = 0.05 * longest_step_;
 }
 
-bool SlipIntegrator::step() {
+void SlipIntegrator::go_on() {
+  evaluate(end_.time, end_.y.data(), end_.rate.data());
+  measure(end_);
+}
+
+bool SlipIntegrator::step(double until) {
   const StatusInsteadOfAbort guard;
   if (end_.time > begin_.time) before_ = std::move(begin_);
   begin_ = end_;
+  const double wanted = length_;
   for (;;) {
-    length_ = std::min(length_, longest_step_);
+    length_ = std::min({length_, longest_step_, until - begin_.time});
     // A length that the clock can represent.
     length_ = (begin_.time + length_) - begin_.time;
     if (!(length_ > 0.0))
@@ -127,7 +133,7 @@ bool SlipIntegrator::step() {
     const Passage found = passage(trial_, low, high);
     if (found == Passage::clear || (found == Passage::doubtful && length_ <= shortest_step_)) {
       std::swap(end_, trial_);
-      length_ = suggested;
+      length_ = std::max(suggested, begin_.time + length_ == until ? wanted : 0.0);
       return false;
     }
     if (found == Passage::crossing) {

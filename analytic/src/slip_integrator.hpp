@@ -27,9 +27,12 @@ class SlipIntegrator {
   /// Begins the next phase at the end of the last one, where v_s = 0.
   void begin_next(double direction);
 
-  /// Takes one step, shortened to end at the first zero of v_s in it; true if there is one.
+  /// Goes on at the end of the last step on the piece of the drive that `dynamics` has entered since.
+  void go_on();
+
+  /// Takes one step, shortened to end at `until` at the latest, or at the first zero of v_s in it; true if there is one.
   /// Throws std::runtime_error, saying when, if no finite step can be taken.
-  [[nodiscard]] bool step();
+  [[nodiscard]] bool step(double until);
 
   [[nodiscard]] double end_time() const noexcept { return end_.time; }
   [[nodiscard]] double direction() const noexcept { return direction_; }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 
@@ -44,7 +45,7 @@ StickPropagator::StickPropagator(const ContactDynamics& dynamics)
     : dynamics_(dynamics), omega_(dynamics.model().load_angular_frequency) {
   const ContactModel& model = dynamics.model();
   model.is_uncoupled() && is_lightly_damped(model) ? set_uncoupled() : set_damped();
-  set_forcing();
+  dynamics.model().drive ? set_drive() : set_forcing();
   next_length_ = 0.01 / omega_;
 }
 
@@ -105,6 +106,91 @@ void StickPropagator::set_forcing() {
   }
 }
 
+void StickPropagator::set_drive() {
+  const ContactModel& model = dynamics_.model();
+  const std::size_t m = dynamics_.modes(), count = eigenvalue_.size();
+  const auto damping = [&](std::size_t row, std::size_t column) {
+    return model.damping.empty() ? 0.0 : model.damping(row, column);
+  };
+  const auto drag = [&](std::size_t row) { return model.load_cosine.empty() ? 0.0 : model.load_cosine[row]; };
+  const std::vector<double> row = dynamics_.held_force_row();
+  force_row_ = {-model.load[m], -drag(m), model.free_mass(), damping(m, m)};
+  for (std::size_t n = 0; n < m; ++n) {
+    force_row_.base_acceleration += model.mass_coupling[n] * model.load[n];
+    force_row_.base_velocity += model.mass_coupling[n] * drag(n);
+    force_row_.wall_velocity -= model.mass_coupling[n] * damping(n, m);
+  }
+  for (std::size_t k = 0; k < count; ++k) {
+    DriveRow<Complex> drive;
+    Complex weight;
+    for (std::size_t n = 0; n < m; ++n) {
+      const Complex share = inverse_[k * 2 * m + m + n];
+      drive.base_acceleration += share * model.load[n];
+      drive.base_velocity += share * drag(n);
+      drive.wall_acceleration -= share * model.mass_coupling[n];
+      drive.wall_velocity -= share * damping(n, m);
+      weight += row[n] / model.angular_frequency[n] * shape_[n * count + k] +
+                row[m + n] * shape_[(m + n) * count + k];
+    }
+    drive_rows_.push_back(drive);
+    force_weight_.push_back(weight);
+  }
+  series_.resize(count);
+  terms_.resize(count);
+  free_.resize(count);
+}
+
+// From the values of the z_k at begin_, initial_, on the piece of the drive.
+void StickPropagator::enter_piece() {
+  const ContactModel& model = dynamics_.model();
+  const DrivePiece& piece = dynamics_.piece();
+  const double length = piece.end - begin_, by = piece.begin - begin_;
+  const Polynomial base = by == 0.0 ? piece.base : shifted(piece.base, by),
+                   wall = by == 0.0 ? piece.wall : shifted(piece.wall, by);
+  std::size_t size = base.size();  // without leading zeros
+  while (size > 1 && base[size - 1] == 0.0 && wall[size - 1] == 0.0) --size;
+  const Polynomial base_velocity = derivative(base), wall_velocity = derivative(wall),
+                   base_acceleration = derivative(base_velocity),
+                   wall_acceleration = derivative(wall_velocity);
+  const auto sum = [&](const auto& row, std::size_t j) {
+    return row.base_acceleration * base_acceleration[j] + row.base_velocity * base_velocity[j] +
+           row.wall_acceleration * wall_acceleration[j] + row.wall_velocity * wall_velocity[j];
+  };
+  force_series_ = {};
+  for (std::size_t j = 0; j < size; ++j)
+    force_series_[j] = sum(force_row_, j) + dynamics_.held_stiffness() * wall[j] - model.base_load * base[j];
+  force_series_[0] += dynamics_.held_stiffness() * position_ - model.contact_force;
+  for (std::size_t k = 0; k < eigenvalue_.size(); ++k) {
+    const Complex lambda = eigenvalue_[k];
+    auto& series = series_[k];
+    std::array<Complex, std::tuple_size_v<Polynomial>> load{};
+    for (std::size_t j = 0; j < size; ++j) load[j] = sum(drive_rows_[k], j);
+    if (std::abs(lambda) * length < 1.0) {
+      terms_[k] = most_terms;
+      series[0] = initial_[k];
+      for (std::size_t j = 0; j + 1 < most_terms; ++j)
+        series[j + 1] = (lambda * series[j] + (j < size ? load[j] : 0.0)) / static_cast<double>(j + 1);
+      free_[k] = 0.0;
+    } else {
+      terms_[k] = size;
+      const Complex inverse = 1.0 / lambda;
+      series[size - 1] = -load[size - 1] * inverse;
+      for (std::size_t j = size - 1; j-- > 0;)
+        series[j] = (static_cast<double>(j + 1) * series[j + 1] - load[j]) * inverse;
+      free_[k] = initial_[k] - series[0];
+    }
+    for (std::size_t j = 0; j < terms_[k]; ++j) force_series_[j] += (force_weight_[k] * series[j]).real();
+  }
+}
+
+void StickPropagator::go_on(double t) {
+  std::vector<Complex> now;
+  for (std::size_t k = 0; k < eigenvalue_.size(); ++k) now.push_back(coordinate(k, t));
+  initial_ = std::move(now);
+  begin_ = t;
+  enter_piece();
+}
+
 void StickPropagator::begin(double t, const ContactKinematics& state) {
   const std::size_t m = dynamics_.modes();
   begin_ = t;
@@ -115,6 +201,7 @@ void StickPropagator::begin(double t, const ContactKinematics& state) {
       initial_[k] +=
           inverse_[k * 2 * m + n] * (dynamics_.model().angular_frequency[n] * state.amplitudes[n]) +
           inverse_[k * 2 * m + m + n] * state.rates[n];
+  if (dynamics_.model().drive) enter_piece();
 }
 
 std::vector<ModalShare> StickPropagator::force_shares() const {
@@ -124,9 +211,23 @@ std::vector<ModalShare> StickPropagator::force_shares() const {
   return shares;
 }
 
+std::vector<double> StickPropagator::force_terms(double t) const {
+  std::vector<std::size_t> order(eigenvalue_.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::ranges::stable_sort(order, {}, [&](std::size_t k) { return std::abs(eigenvalue_[k]); });
+  std::vector<double> terms;
+  for (const std::size_t k : order) terms.push_back((force_weight_[k] * coordinate(k, t)).real());
+  return terms;
+}
+
 StickPropagator::Complex StickPropagator::coordinate(std::size_t k, double t) const {
   const Complex i(0.0, 1.0), lambda = eigenvalue_[k];
   const double tau = t - begin_;
+  if (dynamics_.model().drive) {
+    Complex result = 0.0;
+    for (std::size_t j = terms_[k]; j-- > 0;) result = result * tau + series_[k][j];
+    return free_[k] == 0.0 ? result : result + std::exp(lambda * tau) * free_[k];
+  }
   const Complex decay = std::exp(lambda * tau), turned = std::exp(i * omega_ * tau);
   Complex free = decay * initial_[k];
   if (constant_[k] != 0.0) free += constant_[k] * exponential_difference(0.0, lambda, tau, 1.0, decay);
@@ -158,6 +259,14 @@ ContactKinematics StickPropagator::state(double t) const {
 }
 
 double StickPropagator::force(double t) const {
+  if (dynamics_.model().drive) {
+    const double tau = t - begin_;
+    double force = 0.0;
+    for (std::size_t j = most_terms; j-- > 0;) force = force * tau + force_series_[j];
+    for (std::size_t k = 0; k < free_.size(); ++k)
+      if (free_[k] != 0.0) force += (force_weight_[k] * free_[k] * std::exp(eigenvalue_[k] * tau)).real();
+    return force;
+  }
   double force = dynamics_.held_stiffness() * position_ - dynamics_.model().contact_force +
                  force_harmonic_.sine * std::sin(omega_ * t) + force_harmonic_.cosine * std::cos(omega_ * t) +
                  force_harmonic_.constant + force_harmonic_.rate * t;
@@ -166,6 +275,15 @@ double StickPropagator::force(double t) const {
 }
 
 double StickPropagator::force_rate(double t) const {
+  if (dynamics_.model().drive) {
+    const double tau = t - begin_;
+    double rate = 0.0;
+    for (std::size_t j = most_terms; j-- > 1;) rate = rate * tau + static_cast<double>(j) * force_series_[j];
+    for (std::size_t k = 0; k < free_.size(); ++k)
+      if (free_[k] != 0.0)
+        rate += (force_weight_[k] * eigenvalue_[k] * free_[k] * std::exp(eigenvalue_[k] * tau)).real();
+    return rate;
+  }
   double rate =
       omega_ * (force_harmonic_.sine * std::cos(omega_ * t) - force_harmonic_.cosine * std::sin(omega_ * t)) +
       force_harmonic_.rate;
@@ -176,6 +294,17 @@ double StickPropagator::force_rate(double t) const {
 
 // z_tt = λ² z + λ F + F_t, and |z| grows by less than |F| times the length.
 double StickPropagator::curvature_bound(double t, double length) const {
+  if (dynamics_.model().drive) {
+    const double tau = t - begin_, end = tau + length;
+    double bound = 0.0;
+    for (std::size_t j = most_terms; j-- > 2;)
+      bound = bound * end + static_cast<double>(j * (j - 1)) * std::abs(force_series_[j]);
+    for (std::size_t k = 0; k < free_.size(); ++k)
+      if (free_[k] != 0.0)
+        bound += std::abs(force_weight_[k] * free_[k]) * std::norm(eigenvalue_[k]) *
+                 std::exp(eigenvalue_[k].real() * tau);
+    return bound;
+  }
   double bound = least_bend_ + length * bend_growth_;
   for (std::size_t k = 0; k < eigenvalue_.size(); ++k) bound += bend_[k] * std::abs(coordinate(k, t));
   return bound;

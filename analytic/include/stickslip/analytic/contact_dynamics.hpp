@@ -3,6 +3,8 @@
 
 /// The rows of a ContactModel: accelerations, forces, energies.
 
+#include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -48,9 +50,9 @@ struct Harmonic {
   double rate{};
 };
 
-/// Factors of ContactModel::load and load_cosine: sin(Ω t) and cos(Ω t), or their rates.
+/// Factors of ContactModel::load, load_cosine and base_load: sin(Ω t), cos(Ω t) and 0, or h_tt, h_t and h, or their rates.
 struct LoadFactors {
-  double sine{}, cosine{};
+  double sine{}, cosine{}, base{};
 };
 
 /// Rates at which the works of EventDrivenEnergy grow, W.
@@ -67,6 +69,14 @@ class ContactDynamics {
   /// The highest of ω_n and Ω, rad/s.
   [[nodiscard]] double fastest() const;
 
+  /// Of a general motion: moves to the piece of the drive that begins at t or holds it. All functions of time are those of this
+  /// piece, until the next one is entered. Of one sine nothing happens, and it has one piece.
+  void enter(double t) const;
+  [[nodiscard]] double piece_end() const;  ///< s
+  [[nodiscard]] const DrivePiece& piece() const { return cursor_->piece(); }
+
+  [[nodiscard]] double base_displacement(double t) const;  ///< h; 0 under a force, as
+  [[nodiscard]] double base_velocity(double t) const;      ///< its rate
   [[nodiscard]] LoadFactors load(double t) const;
   [[nodiscard]] LoadFactors load_rate(double t) const;
   [[nodiscard]] double wall_displacement(double t) const;  ///< w
@@ -105,7 +115,11 @@ class ContactDynamics {
   /// What moves the contact if the modes follow: writes T_tt for a contact without acceleration, and returns (m_c - a . a) u_c_tt.
   double push(const KinematicsView& state, const LoadFactors& load, double f, std::span<double> modal) const;
 
+  [[nodiscard]] double along_wall(int rate, double t) const;
+
   ContactModel model_;
+  mutable std::optional<DriveCursor> cursor_;
+  mutable std::array<Polynomial, 4> base_{}, wall_{};  // of the piece, with their derivatives
   double free_mass_;  // m_c - a . a: what f_d accelerates when the modes may follow
   static constexpr std::size_t kTogether = 4;
   std::vector<double> damping_columns_;  // C by column, each filled up with zeros to a multiple of kTogether

@@ -14,15 +14,17 @@
 ///     T_n_tt + a_n u_c_tt + (C x_t)_n + ω_n² T_n                          = b_n(t)
 ///     a . T_tt + m_c u_c_tt + (C x_t)_c + k_c u_c + (l . T + l_c u_c)          = b_c(t) + F_c + f_d
 ///
-/// with x = (T, u_c), loads b(t) with sin(Ω t) and cos(Ω t), a constant force F_c on the contact (one on the rest shifts T and
+/// with x = (T, u_c), loads b(t) with sin(Ω t) and cos(Ω t), or with h_tt, h_t and h of a Drive, a constant force F_c on the contact (one on the rest shifts T and
 /// u_c and leaves its part on the contact), the wall's motion w(t) = W sin(Ω t) + V t, and the nonconservative
 /// (follower) force l . T + l_c u_c, which acts on the contact alone. Stick: u_c - w is constant and the last
 /// row yields f_d. Slip: f_d = -sgn(v_s) μ(|v_s|) N, v_s = u_c_t - w_t.
 
 #include <cstddef>
 #include <limits>
+#include <memory>
 #include <vector>
 
+#include "stickslip/analytic/drive.hpp"
 #include "stickslip/data/problem.hpp"
 
 namespace stickslip::analytic {
@@ -69,7 +71,7 @@ struct HeldStructure {
   double base_stiffness{};  ///< e_c, N/m
   double wall_share{
       1.0};  ///< κ: relative to the base the wall moves by V t - κ h(t); 0 for a wall that moves with it
-  double moved_mass{};  ///< rᵀ M r of a data::Model, kg: of what follows base and contact, moved alike
+  double moved_mass{};  ///< rᵀ M r, kg: of what follows base and contact, moved alike
   /// What other held modes would change; by default there are none.
   struct Omitted {
     double angular_frequency{std::numeric_limits<double>::infinity()};  ///< of the lowest of them, rad/s
@@ -96,6 +98,10 @@ struct ContactModel : HeldStructure {
   double wall_speed{};                ///< V, m/s
   double normal_force{};              ///< N ≥ 0, newton
   data::FrictionLaw friction{{}};
+  /// Of a general motion: b(t) = load h_tt + load_cosine h_t + base_load h, the last on the contact alone; w(t) is that of the drive,
+  /// and Ω its highest frequency. W, A0 and V are 0.
+  std::shared_ptr<const Drive> drive{};
+  double base_load{};  ///< N/m
 };
 
 /// Throws std::invalid_argument, naming the part, its size or value and what is allowed.
@@ -103,7 +109,7 @@ void require_consistent(const ContactModel& model);
 /// Throws data::FieldError, naming model.mass_matrix, for a contact without mass of its own (HeldStructure::free_mass()).
 void require_free_mass(const HeldStructure& structure);
 
-/// κ of a case.
+/// κ of a case, of one sine or of a general motion.
 [[nodiscard]] double wall_share(const data::Case& problem);
 
 /// The structure of a case in its first `modes` held modes. Throws what HeldBeam and held_model() throw.

@@ -17,6 +17,8 @@
 /// quintic across two consecutive steps and the value between them. A step is passed only if the Bernstein coefficients
 /// of its quintic exceed that error. Otherwise it is halved, which divides the error by 64.
 ///
+/// A general motion is taken piece by piece: no interval and no step goes beyond a piece, on which the motion is a polynomial.
+///
 /// Every event is polished by Brent's method, on the exact exponentials or on the integrator restarted from the beginning
 /// of the step.
 
@@ -95,6 +97,7 @@ class EventDriven {
  private:
   void start(const std::vector<double>& amplitudes, const std::vector<double>& rates, double position);
   void prepare_slip();
+  void enter_next_piece();
   void begin_stick();
   void begin_slip(double direction);
   void end_slip();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <complex>
 #include <optional>
 #include <vector>
@@ -22,7 +23,11 @@ struct ModalShare {
 ///
 ///     z_k(t0 + τ) = exp(λ_k τ) z_k(t0) + Σ_±Ω P exp(±i Ω t0) (exp(±i Ω τ) - exp(λ_k τ))/(±i Ω - λ_k),
 ///
-/// written without the 0/0 at resonance. Where damping does not couple the held modes, λ is known for each of them (i ω_n without
+/// written without the 0/0 at resonance. On a piece of a general motion F_k is a polynomial instead, and
+///
+///     z_k(t0 + τ) = q(τ) + exp(λ_k τ) (z_k(t0) - q(0)),   q_τ = λ_k q + F_k,
+///
+/// with the polynomial q, or, where |λ_k| times the length is below 1 and q would lose digits, its Taylor series. Where damping does not couple the held modes, λ is known for each of them (i ω_n without
 /// damping). Else they are the eigenvalues of the first-order matrix (GSL), one of each complex pair.
 class StickPropagator {
  public:
@@ -33,12 +38,18 @@ class StickPropagator {
   /// Begins a phase at time t with the contact at rest on the wall.
   void begin(double t, const ContactKinematics& state);
 
+  /// Goes on at time t on the piece of the drive that `dynamics` has entered since, t not before the last begin.
+  void go_on(double t);
+
   /// The state at time t ≥ the begin.
   [[nodiscard]] ContactKinematics state(double t) const;
 
   /// f_d and its rate.
   [[nodiscard]] double force(double t) const;
   [[nodiscard]] double force_rate(double t) const;
+
+  /// What each z_k adds to f_d at a time of the piece of a general motion, by |λ_k|.
+  [[nodiscard]] std::vector<double> force_terms(double t) const;
 
   /// What each z_k adds to f_d.
   [[nodiscard]] std::vector<ModalShare> force_shares() const;
@@ -55,6 +66,8 @@ class StickPropagator {
   void set_uncoupled();
   void set_damped();
   void set_forcing();
+  void set_drive();
+  void enter_piece();
   [[nodiscard]] Complex coordinate(std::size_t k, double t) const;
   [[nodiscard]] Complex forcing(std::size_t k, double t) const;
 
@@ -68,6 +81,19 @@ class StickPropagator {
   std::vector<double> bend_;                       // of |z_k| in curvature_bound()
   double least_bend_{}, bend_growth_{};            // its part without z, and what a length adds
   Harmonic force_harmonic_;
+
+  /// Factors of h_tt, h_t, w_tt and w_t in F_k or in f_d.
+  template <typename Number>
+  struct DriveRow {
+    Number base_acceleration{}, base_velocity{}, wall_acceleration{}, wall_velocity{};
+  };
+  static constexpr std::size_t most_terms = 20;
+  std::vector<DriveRow<Complex>> drive_rows_;
+  DriveRow<double> force_row_;
+  std::vector<std::array<Complex, most_terms>> series_;  // q or the Taylor series of z_k, in t - begin_
+  std::vector<std::size_t> terms_;                       // of them
+  std::vector<Complex> free_;                            // z_k(t0) - q(0)
+  std::array<double, most_terms> force_series_{};        // what f_d has besides them
 
   double begin_{};
   double position_{};  // u_c - w

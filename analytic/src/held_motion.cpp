@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+#include "stickslip/analytic/held_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stickslip::analytic {
+namespace {
+
+// Σ|c_k| L^k.
+double largest(const Polynomial& polynomial, double length) {
+  double result = 0.0;
+  for (std::size_t k = polynomial.size(); k-- > 0;) result = result * length + std::abs(polynomial[k]);
+  return result;
+}
+
+// The bound of X_n for frequencies of `omega` and more, which lose energy at the rate `decay` (1/s) at least.
+class Response {
+ public:
+  Response(double omega, double decay) : omega_(omega), decay_(decay) {}
+
+  void add(const Polynomial& displacement, double length) {
+    const Polynomial acceleration = derivative(derivative(displacement)), jerk = derivative(acceleration);
+    const double forgets = std::exp(-decay_ * length);
+    // What happens in the piece may all happen at its end.
+    const double jump = std::abs(acceleration[0] - acceleration_end_), bend = std::abs(jerk[0] - jerk_end_);
+    jumps_ = (jumps_ + jump) * forgets;
+    of_acceleration_ = of_acceleration_ * forgets + length * largest(jerk, length);
+    of_jerk_ = (of_jerk_ + bend) * forgets + length * largest(derivative(jerk), length);
+    largest_ = std::max(largest_, jumps_ + jump + std::min(of_acceleration_, (of_jerk_ + bend) / omega_));
+    acceleration_end_ = value(acceleration, length);
+    jerk_end_ = value(jerk, length);
+  }
+  [[nodiscard]] double bound() const { return largest_; }
+
+ private:
+  double omega_, decay_;
+  double jumps_{}, of_acceleration_{}, of_jerk_{}, largest_{};
+  double acceleration_end_{}, jerk_end_{};  // from rest
+};
+
+class Search {
+ public:
+  Search(HeldMotion& motion, double limit) : motion_(motion), limit_(limit) {}
+
+  void take_piece(double begin, double end) {
+    const double at_begin = size(begin), at_end = size(end);
+    if (!result_.first_excess && bound(begin, at_begin, end, at_end) > limit_)
+      result_.first_excess =
+          at_begin > limit_ ? std::optional(begin) : motion_.propagator().first_excess(begin, end, limit_);
+    refine(begin, at_begin, end, at_end);
+    if (result_.time >= begin) {
+      const double sign = motion_.force(result_.time) < 0.0 ? -1.0 : 1.0;
+      result_.shares = motion_.shares(result_.time);
+      for (double& share : result_.shares) share *= sign;
+    }
+    result_.largest_acceleration =
+        std::max(result_.largest_acceleration, std::abs(2.0 * motion_.dynamics().piece().base[2]));
+  }
+
+  [[nodiscard]] MotionReaction take() {
+    result_.largest = {lower_, std::max(lower_, upper_)};
+    return std::move(result_);
+  }
+
+ private:
+  static constexpr double gap = 1e-7;
+
+  [[nodiscard]] double size(double t) {
+    const double here = std::abs(motion_.propagator().force(t));
+    if (here > lower_) {
+      lower_ = here;
+      result_.time = t;
+    }
+    return here;
+  }
+  [[nodiscard]] double bound(double begin, double at_begin, double end, double at_end) const {
+    const double length = end - begin;
+    return std::max(at_begin, at_end) +
+           0.125 * motion_.propagator().curvature_bound(begin, length) * length * length;
+  }
+  void refine(double begin, double at_begin, double end, double at_end) {
+    const double most = bound(begin, at_begin, end, at_end), middle = begin + 0.5 * (end - begin);
+    if (most <= lower_ * (1.0 + gap) || !(begin < middle && middle < end)) {
+      upper_ = std::max(upper_, most);
+      return;
+    }
+    const double at_middle = size(middle);
+    refine(begin, at_begin, middle, at_middle);
+    refine(middle, at_middle, end, at_end);
+  }
+
+  HeldMotion& motion_;
+  double limit_, lower_{}, upper_{};
+  MotionReaction result_;
+};
+
+}  // namespace
+
+HeldMotion::HeldMotion(const ContactModel& model) : dynamics_(model), stick_(dynamics_) {
+  const std::size_t m = model.modes();
+  stick_.begin(0.0, {std::vector<double>(m), std::vector<double>(m), 0.0, dynamics_.wall_velocity(0.0)});
+}
+
+void HeldMotion::enter_next_piece() {
+  const double end = piece_end();
+  dynamics_.enter(end);
+  stick_.go_on(end);
+}
+
+double HeldMotion::force(double t) {
+  while (t > piece_end()) enter_next_piece();
+  return stick_.force(t);
+}
+
+MotionReaction motion_reaction(const data::Case& problem, const std::function<void(double)>& report) {
+  constexpr int quiet_pieces = 4096;
+  const ContactModel model = contact_model(problem, problem.numerics.modes());
+  const auto& [omega, contact, load] = model.omitted;
+  const double duration = problem.numerics.duration(),
+               decay =
+                   std::isfinite(omega) ? problem.damping.ratio_at(omega, model.modes() + 1) * omega : 0.0;
+  HeldMotion motion(model);
+  Search search(motion, problem.contact.friction.static_coefficient() * problem.normal_force());
+  Response base(omega, decay), wall(omega, decay);
+  int pieces = 0;
+  for (double begin = 0.0;;) {
+    const double end = std::min(motion.piece_end(), duration);
+    const DrivePiece& piece = motion.dynamics().piece();
+    base.add(piece.base, end - piece.begin);
+    wall.add(piece.wall, end - piece.begin);
+    search.take_piece(begin, end);
+    if (report && ++pieces % quiet_pieces == 0) report(end);
+    if (end >= duration) break;
+    motion.enter_next_piece();
+    begin = end;
+  }
+  MotionReaction result = search.take();
+  if (contact > 0.0) {
+    double base_mass = model.moved_mass;
+    for (std::size_t n = 0; n < model.modes(); ++n) base_mass -= std::pow(model.participation[n], 2);
+    const double coupling = model.drive->base_moves() ? std::sqrt(contact * std::max(base_mass, 0.0))
+                                                      : omega * std::sqrt(contact * load);
+    result.omitted = coupling * base.bound() + contact * wall.bound();
+  }
+  result.largest.lower = std::max(0.0, result.largest.lower - result.omitted);
+  result.largest.upper += result.omitted;
+  return result;
+}
+
+}  // namespace stickslip::analytic
