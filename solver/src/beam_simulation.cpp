@@ -137,7 +137,7 @@ BeamModel checked_model(const data::Beam& beam, int elements, bool is_bonded) {
 
 BeamSimulation::BeamSimulation(const data::Case& problem, const RunOptions& options) {
   const PrescribedMotion motion = base_motion(problem.motion);
-  if (!problem.excitation().is_force()) base_ = motion;
+  if (!problem.is_force()) base_ = motion;
   const Coordinates coordinates = coordinates_of(problem, options);
   const IntegratorSettings settings = integrator_settings(problem.numerics, scheme_of(options), coordinates);
   std::optional<ModelMatrices> matrices;

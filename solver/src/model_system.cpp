@@ -173,7 +173,7 @@ ContactSystem model_contact_system(const data::Case& problem, const PrescribedMo
 
 ContactSystem model_contact_system(const data::Case& problem, const ModelMatrices& matrices,
                                    const PrescribedMotion& base) {
-  const bool is_force = problem.excitation().is_force();
+  const bool is_force = problem.is_force();
   const Eigen::Index rows = matrices.mass.rows(), c = matrices.contact;
   ContactSystem system{.mass = matrices.mass,
                        .damping = matrices.own_damping + relative_damping(matrices, problem.damping),
@@ -200,7 +200,7 @@ ContactSystem model_contact_system(const data::Case& problem, const ModelMatrice
 double steady_reaction_of(const data::Case& problem) {
   const ModelMatrices matrices = model_matrices(*problem.model());
   const double omega = 2.0 * std::numbers::pi * problem.excitation().frequency_hz();
-  const bool is_force = problem.excitation().is_force();
+  const bool is_force = problem.is_force();
   const Eigen::Index c = matrices.contact;
   const SparseMatrix damping = matrices.own_damping + relative_damping(matrices, problem.damping);
   using ComplexMatrix = Eigen::SparseMatrix<Complex>;

@@ -280,7 +280,7 @@ CriterionMap criterion_map(const MapTask& task, const std::function<void(double)
                    .cells = {}};
   const auto [first, last] = task.part.of(task.x.values.size() * task.y.values.size());
   map.cells.resize(last - first);
-  Factors factors{.amplitude = task.problem.excitation().motion().amplitude,
+  Factors factors{.amplitude = task.problem.excitation().stated(),
                   .static_coefficient = task.problem.contact.friction.static_coefficient(),
                   .normal_force = task.problem.normal_force()};
   for (std::size_t n = first; n < last; ++n) {

@@ -181,24 +181,6 @@ void warn_of_resonance_or_distance(const data::Case& problem, std::vector<Warnin
   if (warnings.size() == before) warn_of_distance(problem, warnings);
 }
 
-// Of what matrices cannot tell by themselves: their units, and whether the base is all that holds them.
-void warn_of_structure(const data::Case& problem, std::vector<Warning>& warnings) {
-  constexpr double lightest = 1e-3, heaviest = 1e4, rounding = 1e-6;
-  const analytic::HeldStructure structure = analytic::held_structure(problem, 1);
-  const double mass = structure.moved_mass, share = structure.base_stiffness / structure.contact_stiffness;
-  if (mass < lightest || mass > heaviest)
-    warnings.push_back({Concern::structure_mass, mass, mass < lightest ? lightest : heaviest,
-                        fmt::format("{:.3g} kg move with base and contact: model.units tells whether the "
-                                    "files are in m, kg, s or in mm, t, s",
-                                    mass)});
-  if (!problem.excitation().is_force() && std::abs(share) > rounding)
-    warnings.push_back(
-        {Concern::base_alone, share, rounding,
-         fmt::format("moved with its base by 1 m the structure pulls by {:.3g} N at the contact, "
-                     "{:.2g} times its stiffness there: more holds it than model.base",
-                     structure.base_stiffness, share)});
-}
-
 }  // namespace
 
 double row_effect(const data::Case& problem, double spacing) {
@@ -266,9 +248,29 @@ std::string shear_effect(const data::Case& problem) {
                          : fmt::format(" instead of {}", to_string(without.verdict)));
 }
 
-std::vector<Warning> criterion_warnings(const data::Case& problem) {
+std::vector<Warning> structure_warnings(const data::Case& problem) {
   std::vector<Warning> warnings;
-  if (problem.model() != nullptr && !problem.model()->is_mass()) warn_of_structure(problem, warnings);
+  if (problem.model() == nullptr || problem.model()->is_mass()) return warnings;
+  constexpr double lightest = 1e-3, heaviest = 1e4, rounding = 1e-6;
+  const analytic::HeldStructure structure = analytic::held_structure(problem, 1);
+  const double mass = structure.moved_mass, share = structure.base_stiffness / structure.contact_stiffness;
+  if (mass < lightest || mass > heaviest)
+    warnings.push_back({Concern::structure_mass, mass, mass < lightest ? lightest : heaviest,
+                        fmt::format("{:.3g} kg move with base and contact: model.units tells whether the "
+                                    "files are in m, kg, s or in mm, t, s",
+                                    mass)});
+  if (!problem.is_force() && std::abs(share) > rounding)
+    warnings.push_back(
+        {Concern::base_alone, share, rounding,
+         fmt::format("moved with its base by 1 m the structure pulls by {:.3g} N at the contact, "
+                     "{:.2g} times its stiffness there: more holds it than model.base",
+                     structure.base_stiffness, share)});
+  return warnings;
+}
+
+std::vector<Warning> criterion_warnings(const data::Case& problem) {
+  std::vector<Warning> warnings = structure_warnings(problem);
+  if (problem.has(data::Feature::general_motion)) return warnings;
   warn_of_resonance_or_distance(problem, warnings);
   add_warning(few_modes_warning(problem), warnings);
   warn_of_thickness(problem, false, highest_mode_that_matters(problem), warnings);
@@ -294,10 +296,11 @@ std::vector<Warning> history_warnings(const data::Case& problem, const Method& m
   std::vector<Warning> warnings;
   if (method.follows_slip()) {
     add_warning(instability_warning(problem), warnings);
-  } else {
+  } else if (!problem.has(data::Feature::general_motion)) {
     add_warning(resonance_warning(problem), warnings);
     add_warning(few_modes_warning(problem), warnings);
   }
+  if (problem.has(data::Feature::general_motion)) return warnings;
   const int mode = highest_mode_that_matters(problem);
   warn_of_thickness(problem, false, mode, warnings);
   if (method.basis == Basis::elements) {
@@ -493,6 +496,7 @@ std::vector<std::string> warnings_after(const data::Case& problem, const Method&
 long look_step(const data::Case& problem, long row_step) {
   constexpr double allowed_loss = 0.01;
   if (row_step <= 1) return row_step;
+  if (problem.has(data::Feature::general_motion)) return 1;
   const auto vibrations = analytic::free_vibrations(problem);
   long step = row_step;
   while (step > 1 && row_effect(problem, vibrations,
@@ -504,12 +508,14 @@ long look_step(const data::Case& problem, long row_step) {
 std::optional<std::string> row_warning(const data::Case& problem, const Method& method, long look_step,
                                        long row_step) {
   const double step = problem.numerics.time_step(), spacing = static_cast<double>(row_step) * step,
-               half_period = 0.5 / problem.excitation().frequency_hz();
-  if (problem.excitation().amplitude() > 0.0 && spacing > half_period)
+               half_period = 0.5 / data::highest_frequency_hz(problem);
+  const bool is_general = problem.has(data::Feature::general_motion);
+  if ((is_general || problem.excitation().amplitude() > 0.0) && spacing > half_period)
     return fmt::format(
         "the rows are {:.3g} s apart, more than half a period of the base, {:.3g} s: they do not show the "
         "motion",
         spacing, half_period);
+  if (is_general) return std::nullopt;
   const double effect = row_effect(problem, static_cast<double>(look_step) * step);
   if (method.in_time_steps || effect <= allowed_model_error) return std::nullopt;
   return fmt::format(

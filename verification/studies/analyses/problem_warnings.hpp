@@ -79,9 +79,11 @@ constexpr double share_that_matters = 0.01;
 /// Throws what stick_modes() throws.
 [[nodiscard]] std::vector<Warning> history_warnings(const data::Case& problem, const Method& method);
 /// Of the criterion: resonance, or else near resonance where least_resonance_distance is not kept; few modes; a thick beam without
-/// damping with its shear_effect(). First, of matrices: that less than 1 g or more than 10 t follow base and contact, as files in other
-/// units say, and that a structure moved with its base pulls at the contact, by more than 1e-6 of its stiffness there.
+/// damping with its shear_effect(). First structure_warnings().
 [[nodiscard]] std::vector<Warning> criterion_warnings(const data::Case& problem);
+/// Of matrices, what they cannot tell by themselves: less than 1 g or more than 10 t follow base and contact, as with files in other
+/// units, or the structure, moved with its base, pulls at the contact by more than 1e-6 of its stiffness there.
+[[nodiscard]] std::vector<Warning> structure_warnings(const data::Case& problem);
 /// Of |f_max| over a band up to the excitation frequency of the case: few modes.
 [[nodiscard]] std::vector<Warning> design_warnings(const data::Case& problem);
 /// Of so many natural frequencies: thick beam, by the highest of them; with the tip free by slip_model_error().

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "stickslip/analytic/held_motion.hpp"
 #include "stickslip/analytic/beam_boundary_integral.hpp"
 #include "stickslip/analytic/damped_reaction.hpp"
 #include "stickslip/analytic/steady_sliding.hpp"
@@ -31,14 +32,18 @@ std::vector<analytic::ContactStep> steps_of_model(const data::Case& problem, con
   const analytic::ContactModel model = analytic::contact_model(problem, problem.numerics.modes());
   const analytic::ContactLaw law{problem.normal_force(), problem.contact.friction, problem.contact.compliance,
                                  grid.time_step};
-  const double duration = static_cast<double>(grid.steps) * grid.time_step;
-  const analytic::DampedForce force(analytic::damped_reaction(model, analytic::SteadyPart::exact),
-                                    model.load_angular_frequency, duration);
+  const auto middle = [&](std::size_t n) { return (static_cast<double>(n) + 0.5) * grid.time_step; };
   std::vector<double> holding_force(grid.steps);
-  for (std::size_t n = 0; n < grid.steps; ++n)
-    holding_force[n] =
-        -problem.excitation().amplitude() * force.value((static_cast<double>(n) + 0.5) * grid.time_step) -
-        problem.constant_force;
+  if (model.drive) {
+    analytic::HeldMotion motion(model);
+    for (std::size_t n = 0; n < grid.steps; ++n) holding_force[n] = motion.force(middle(n));
+  } else {
+    const double duration = static_cast<double>(grid.steps) * grid.time_step;
+    const analytic::DampedForce force(analytic::damped_reaction(model, analytic::SteadyPart::exact),
+                                      model.load_angular_frequency, duration);
+    for (std::size_t n = 0; n < grid.steps; ++n)
+      holding_force[n] = -problem.excitation().amplitude() * force.value(middle(n)) - problem.constant_force;
+  }
   return contact_steps(analytic::mobility_weights(analytic::contact_mobility(model), grid.time_step,
                                                   grid.steps, analytic::usual_stages),
                        law, holding_force);
@@ -70,8 +75,12 @@ std::vector<double> places_of(const data::Case& problem, const Sampling& samplin
 History history_of(const data::Case& problem, const Sampling& sampling, const ContactRun& run,
                    std::size_t steps_per_row, const RowSink& sink) {
   solver::PrescribedMotion base;
-  if (!problem.excitation().is_force()) base = solver::base_motion(problem.motion);
-  const double wall_with_base = problem.contact.wall.moves_with_base() ? 1.0 : 0.0;
+  if (!problem.is_force()) base = solver::base_motion(problem.motion);
+  // Positions on the wall become positions in the frame at rest.
+  const solver::PrescribedMotion moving_wall = solver::wall_motion(problem, base);
+  const auto wall = [&](double t) {
+    return moving_wall.displacement(t) - moving_wall.displacement(0.0) + base.displacement(t);
+  };
   History history;
   // A step obeys the law, and a row is the mean of two.
   for (const analytic::ContactStep& step : run.steps)
@@ -85,7 +94,7 @@ History history_of(const data::Case& problem, const Sampling& sampling, const Co
     HistoryRow row = contact_between(run.steps, n * steps_per_row);
     row.time = time;
     row.base_displacement = base.displacement(time);
-    row.tip_displacement = run.position[n] + wall_with_base * base.displacement(time);
+    row.tip_displacement = run.position[n] + wall(time);
     if (run.motions.size() > sampling.positions.size()) row.midspan_displacement = run.motions.back()[n];
     for (std::size_t k = 0; k < sampling.positions.size(); ++k) row.displacement.push_back(run.motions[k][n]);
     add_row(problem, history, sink, std::move(row));
@@ -93,7 +102,7 @@ History history_of(const data::Case& problem, const Sampling& sampling, const Co
   // A smooth law has no stick.
   if (!problem.contact.compliance.is_smooth()) {
     auto events = events_between(run.steps, run.time_step);
-    for (auto& event : events) event.position += wall_with_base * base.displacement(event.time);
+    for (auto& event : events) event.position += wall(event.time);
     set_events(history, std::move(events));
   }
   return history;
@@ -103,7 +112,7 @@ History history_of(const data::Case& problem, const Sampling& sampling, const Co
 
 double boundary_integral_step(const data::Case& problem) {
   constexpr double steps_per_period = 20000.0;
-  double highest = problem.excitation().frequency_hz();
+  double highest = data::highest_frequency_hz(problem);
   for (const auto& mode : analytic::held_modes(problem, 1))
     highest = std::max(highest, mode.angular_frequency / two_pi);
   const double rated = problem.numerics.time_step(),

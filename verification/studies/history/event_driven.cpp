@@ -8,6 +8,7 @@
 
 #include "stickslip/analytic/damped_reaction.hpp"
 #include "stickslip/analytic/held_beam.hpp"
+#include "stickslip/analytic/held_motion.hpp"
 #include "stickslip/analytic/stick_reaction.hpp"
 #include "studies/common/problem_parameter.hpp"
 #include "studies/history/method.hpp"
@@ -28,10 +29,12 @@ HistoryRow row_of(const analytic::EventDriven& run) {
 // Positions on the wall become positions in the frame at rest, in which the wall may move with the base.
 std::vector<data::ContactEvent> events_of(const analytic::EventDriven& run,
                                           const analytic::ContactModel& model) {
+  const analytic::ContactDynamics dynamics(model);
   auto events = run.events();
-  for (auto& event : events)
-    event.position += model.wall_speed * event.time + (model.base_amplitude + model.wall_amplitude) *
-                                                          std::sin(model.load_angular_frequency * event.time);
+  for (auto& event : events) {
+    dynamics.enter(event.time);
+    event.position += dynamics.base_displacement(event.time) + dynamics.wall_displacement(event.time);
+  }
   return events;
 }
 
@@ -40,7 +43,7 @@ std::vector<double> rates_of(const analytic::ContactModel& model, bool starts_wi
   std::vector<double> rates;
   if (starts_with_the_base)
     for (const double coupling : model.mass_coupling)
-      rates.push_back(-coupling * (model.wall_amplitude * model.load_angular_frequency + model.wall_speed));
+      rates.push_back(-coupling * analytic::ContactDynamics(model).wall_velocity(0.0));
   return rates;
 }
 
@@ -48,8 +51,8 @@ std::vector<double> rates_of(const analytic::ContactModel& model, bool starts_wi
 void start(analytic::EventDriven& run, const data::Case& problem, const analytic::ContactModel& model,
            bool starts_with_the_base) {
   const auto& [position, velocity] = problem.initial;
-  const double omega = model.load_angular_frequency,
-               wall = (model.base_amplitude + model.wall_amplitude) * omega + model.wall_speed;
+  const analytic::ContactDynamics dynamics(model);
+  const double wall = dynamics.base_velocity(0.0) + dynamics.wall_velocity(0.0);
   if (problem.initial == data::InitialState() || velocity == wall)
     run.start_stuck({}, rates_of(model, starts_with_the_base), position);
   else
@@ -127,10 +130,26 @@ History held_history(const data::Case& problem, const Sampling& sampling, const 
   return history;
 }
 
+// Under a general motion.
+History held_general_history(const data::Case& problem, const Sampling& sampling, const RowSink& sink) {
+  analytic::HeldMotion motion(analytic::contact_model(problem, problem.numerics.modes()));
+  const double limit = friction_limit(problem), wall_at_start = motion.dynamics().wall_displacement(0.0);
+  History history;
+  for_each_row(problem, sampling, [&](long, double time) {
+    HistoryRow row{.time = time, .friction_force = -motion.force(time)};
+    row.base_displacement = motion.dynamics().base_displacement(time);
+    row.tip_displacement = row.base_displacement + motion.dynamics().wall_displacement(time) - wall_at_start;
+    if (!history.first_slip && std::abs(row.friction_force) > limit) history.first_slip = time;
+    add_row(problem, history, sink, std::move(row));
+  });
+  return history;
+}
+
 }  // namespace
 
 History closed_form_history(const data::Case& problem, const Sampling& sampling,
                             analytic::SteadyPart steady_part, const RowSink& sink) {
+  if (problem.has(data::Feature::general_motion)) return held_general_history(problem, sampling, sink);
   if (problem.model() != nullptr) return held_history(problem, sampling, sink);
   const analytic::StickResponse response(problem.beam(), problem.excitation(), problem.numerics.modes(),
                                          steady_part);

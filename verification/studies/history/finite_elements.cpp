@@ -40,11 +40,10 @@ History finite_element_history(const data::Case& problem, const Sampling& sampli
   }));
   auto events = simulation.integrator().events();
   // Positions on the wall become positions in the frame at rest. Under a force the base rests.
-  const data::Wall& wall = problem.contact.wall;
-  const solver::PrescribedMotion base = solver::base_motion(problem.motion);
-  const bool is_moved = wall.moves_with_base() && !problem.excitation().is_force();
+  const solver::PrescribedMotion base = solver::base_motion(problem.motion),
+                                 wall = solver::wall_motion(problem, base);
   for (auto& event : events)
-    event.position += wall.speed() * event.time + (is_moved ? base.displacement(event.time) : 0.0);
+    event.position += wall.displacement(event.time) + (problem.is_force() ? 0.0 : base.displacement(event.time));
   set_events(history, std::move(events));
   return history;
 }

@@ -47,8 +47,8 @@ void Bending::include(const HistoryRow& row, double length) {
 void require_bounded(const data::Case& problem, double deflection, double time, const std::string& motion) {
   if (!std::isfinite(deflection))
     data::throw_overflow(fmt::format("{} is not finite at {:.6g} s", motion, time));
-  // A model has no length to measure its deflection by.
-  if (problem.model() != nullptr ||
+  // A model has no length to measure its deflection by, and a general motion may go anywhere.
+  if (problem.model() != nullptr || problem.general_motion() != nullptr ||
       std::abs(deflection) <= most_deflection * (problem.beam().length() + problem.excitation().amplitude()))
     return;
   throw data::InputError(fmt::format(
@@ -170,7 +170,7 @@ long usual_row_step(const data::Case& problem, double span) {
   const auto modes = analytic::held_modes(problem, 1);
   const double natural = modes.empty() ? 0.0 : modes.front().angular_frequency / (2.0 * std::numbers::pi);
   const double rows_per_second = std::max(
-      {in_a_base_period * problem.excitation().frequency_hz(), in_a_natural_period * natural, in_all / span});
+      {in_a_base_period * data::highest_frequency_hz(problem), in_a_natural_period * natural, in_all / span});
   const double most = (1.0 + 1e-9) / (rows_per_second * problem.numerics.time_step());
   long usual = 1;
   for (long power = 1; power < longest; power *= 10)
@@ -182,10 +182,10 @@ long usual_row_step(const data::Case& problem, double span) {
 SpectrumWindow spectrum_window(const data::Case& problem, long every) {
   constexpr double rounding = 1e-9;
   constexpr long long most_rows = 4'000'000;
-  const bool rests = problem.excitation().amplitude() == 0.0;
+  const bool rests = problem.general_motion() == nullptr && problem.excitation().amplitude() == 0.0;
   const double row_step = static_cast<double>(every) * problem.numerics.time_step(),
                half = 0.5 * problem.numerics.duration(),
-               period = rests ? half : 1.0 / problem.excitation().frequency_hz();
+               period = rests ? half : 1.0 / data::highest_frequency_hz(problem);
   const double periods = std::floor(half / period + rounding);
   const auto rows = std::llround(periods * period / row_step);
   if (periods < 1.0)

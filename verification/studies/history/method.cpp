@@ -32,6 +32,7 @@ const std::vector<std::pair<Feature, std::string_view>> features{
     {Feature::force, "`excitation.force`"},
     {Feature::constant_force, "`excitation.constant_force`"},
     {Feature::initial_state, "`[initial]`"},
+    {Feature::general_motion, "`sines`, `sweep`, `shock`, `file` (`[excitation]`, `[wall]`), of a beam"},
     {Feature::start_at_rest, "`--initial-velocity zero`"},
     {Feature::contact_scheme, "`--scheme`"}};
 
@@ -70,11 +71,12 @@ const std::vector<Method>& methods() {
         {Feature::wall_with_base, wall_apart},
         {Feature::initial_state, from_rest},
         {Feature::start_at_rest, quasi_static},
-        {Feature::contact_scheme, elements_only}},
+        {Feature::contact_scheme, elements_only},
+        {Feature::general_motion, "left out for --method {} of a beam; fe and event-driven take it"}},
        require_steps,
        boundary_integral_history,
        true,
-       {Feature::other_damping, Feature::wall_with_base}},
+       {Feature::other_damping, Feature::wall_with_base, Feature::general_motion}},
       {"closed-form",
        Basis::modes,
        {{Feature::slip,
@@ -146,7 +148,7 @@ void Method::require(const data::Case& problem, const solver::RunOptions& option
     if (key.feature == Feature::yielding_contact)
       data::require_rigid(problem.contact.compliance,
                           fmt::format(fmt::runtime(refused.at(key.feature)), name));
-    require(key.feature, key.path, key.is_flag ? "true" : data::shortest_text(value));
+    require(key.feature, key.path, key.word.empty() ? data::shortest_text(value) : std::string(key.word));
   }
   for (const auto& [scheme, value] : contact_schemes())
     if (options.scheme == value && value != solver::ContactScheme::located)
@@ -171,13 +173,13 @@ std::string table_of_methods() {
 void require_periods(const data::Case& problem, double most_periods) {
   const auto modes = analytic::held_modes(problem, problem.numerics.modes());
   const double natural = modes.empty() ? 0.0 : modes.back().angular_frequency / (2.0 * std::numbers::pi);
-  const double highest = std::max(natural, problem.excitation().frequency_hz());
+  const double highest = std::max(natural, data::highest_frequency_hz(problem));
   if (problem.numerics.duration() * highest <= most_periods) return;
   throw data::FieldError(
       "excitation.duration", data::shortest_text(problem.numerics.duration()),
       fmt::format("at most {:.3g} s, {} periods of {}, {:.3g} Hz", most_periods / highest,
                   most_periods == most_periods_by_events ? "a million" : "a hundred million",
-                  natural > problem.excitation().frequency_hz()
+                  natural > data::highest_frequency_hz(problem)
                       ? fmt::format("natural frequency {}", problem.numerics.modes())
                       : "the excitation",
                   highest));

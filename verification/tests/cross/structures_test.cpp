@@ -4,6 +4,7 @@
 
 #include <map>
 
+#include "stickslip/analytic/held_motion.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/data/reference.hpp"
 #include "stickslip/solver/model_system.hpp"
@@ -129,6 +130,71 @@ TEST(RandomStructures, SlipAlikeByBoth) {
         });
   EXPECT_GT(events, 20U * 8U);
   EXPECT_GE(std::min({singular, weighted, clustered}), 3);
+}
+
+// Sums of sines, sweeps and shocks of the base, on a wall at rest or on the base, by events, time steps and, the sines, the boundary
+// integral: the first slip, the number of changes and the travel to 0.1 %, which is asked for.
+TEST(RandomStructures, FollowAnyMotionAlikeByThree) {
+  constexpr double duration = 0.2;
+  int slips = 0, kind = 0;
+  on_random_structures(6, {.most_rows = 12, .damping = 4.0}, [&](auto matrices, RandomNumbers& numbers) {
+    give_mass_to_contact(matrices);
+    data::Case problem = with_values(data::load_case("paper"), {{"excitation.duration", duration},
+                                                                {"numerics.time_step", 2e-5},
+                                                                {"numerics.velocity_threshold", 0.0},
+                                                                {"numerics.modes", 200.0},
+                                                                {"friction.static_coefficient", 0.3},
+                                                                {"friction.kinetic_coefficient", 0.25},
+                                                                {"friction.decay", 1.0}});
+    problem = with_matrices(problem, std::move(matrices));
+    problem.contact.wall = data::Wall({.with_base = numbers.whole(0, 1) == 0});
+    data::GeneralMotion::Statement statement;
+    const auto acceleration = data::AmplitudeOf::acceleration;
+    switch (kind++ % 3) {
+      case 0: {
+        std::vector<data::Sine> sines;
+        for (int i = 0; i < 5; ++i)
+          sines.push_back({numbers.uniform(3.0, 30.0), 1.0, acceleration, numbers.uniform(0.0, 6.0)});
+        statement = sines;
+        break;
+      }
+      case 1:
+        statement = data::Sweep{5.0, 30.0, 60.0, false, 1.0, acceleration};
+        break;
+      default:
+        statement = data::Shock{data::ShockShape::sawtooth, 0.05, 1.0, acceleration};
+    }
+    problem.motion = data::GeneralMotion(statement, duration);
+    const double held = analytic::motion_reaction(problem).largest.upper;
+    problem.structure = data::Model(0.6 * held / 0.3, problem.model()->shared_matrices());
+    std::vector<studies::History> histories;
+    std::vector<double> times;
+    for (int i = 1; i <= 200; ++i) times.push_back(1e-3 * i);
+    for (const auto* method :
+         {&studies::event_driven(), &studies::finite_elements(), &studies::boundary_integral()}) {
+      if (method == &studies::boundary_integral() && statement.index() > 0) continue;
+      method->require(problem);
+      histories.push_back(method->run(problem, {.times = times}, {}, {}));
+    }
+    const auto travel = [](const studies::History& history) {
+      double sum = 0.0;
+      for (std::size_t i = 1; i < history.rows.size(); ++i)
+        sum += std::abs(history.rows[i].tip_displacement - history.rows[i - 1].tip_displacement);
+      return sum;
+    };
+    const studies::History& events = histories.front();
+    ASSERT_TRUE(events.first_slip.has_value());
+    ++slips;
+    for (std::size_t i = 1; i < histories.size(); ++i) {
+      EXPECT_EQ(histories[i].events.size(), events.events.size()) << i;
+      EXPECT_TRUE(within(*histories[i].first_slip, *events.first_slip,
+                         reference(1e-3 * duration, "0.1 % of the duration")))
+          << i;
+      EXPECT_TRUE(within(travel(histories[i]), travel(events), reference(1e-3 * travel(events), "0.1 %")))
+          << i;
+    }
+  });
+  EXPECT_EQ(slips, 6);
 }
 
 // The rows of a problem in `published-problems`: its changes of contact, or its states at these times.

@@ -16,7 +16,7 @@ namespace stickslip::solver {
 /// a force.
 [[nodiscard]] PrescribedMotion wall_motion(const data::Case& problem, const PrescribedMotion& base);
 
-/// max |h|, m.
+/// max |h|, m; of a general motion at the begins of its pieces.
 [[nodiscard]] double largest_displacement(const data::Motion& motion);
 
 /// A term of h(t + τ) = Σ_k w_k(t) h_k(τ), the motion from any time t on.
@@ -25,7 +25,7 @@ struct ShiftedMotion {
   PrescribedMotion motion;               ///< h_k, of τ in s
 };
 
-/// Its terms. Harmonic: sin(Ω t) A0 cos(Ω τ) + cos(Ω t) A0 sin(Ω τ).
+/// Its terms. Throws FieldError for a general motion. Harmonic: sin(Ω t) A0 cos(Ω τ) + cos(Ω t) A0 sin(Ω τ).
 [[nodiscard]] std::vector<ShiftedMotion> shifted_motion(const data::Motion& motion);
 
 }  // namespace stickslip::solver
