@@ -176,22 +176,59 @@ ShownAmplitude shown_amplitude(const data::Case& problem) {
   return {key.axis.unit(), key.axis.scale, key.axis.column};
 }
 
+namespace {
+
+// "a sum of 3 sines up to 35 Hz".
+std::string text_of(const data::GeneralMotion& motion) {
+  const auto text = data::shortest_text;
+  const auto sentence = [&](const auto& of) -> std::string {
+    using Type = std::remove_cvref_t<decltype(of)>;
+    if constexpr (std::is_same_v<Type, std::vector<data::Sine>>)
+      return fmt::format("a sum of {} sines up to {} Hz", of.size(), text(motion.highest_frequency_hz()));
+    else if constexpr (std::is_same_v<Type, data::Sweep>)
+      return fmt::format("a sweep from {} to {} Hz", text(of.from_hz), text(of.to_hz));
+    else if constexpr (std::is_same_v<Type, data::Shock>)
+      return fmt::format("a shock of {} s", text(of.duration));
+    else
+      return fmt::format("the record {} of {} rows, up to {:.4g} Hz", of.file, of.samples.size(),
+                         motion.highest_frequency_hz());
+  };
+  return std::visit(sentence, motion.statement()) +
+         (motion.scale() == 1.0 ? "" : fmt::format(" times {}", text(motion.scale())));
+}
+
+}  // namespace
+
 void add_excitation(Answer& answer, const data::Case& problem,
                     const std::optional<analytic::FrequencyBand>& band) {
+  if (problem.general_motion() != nullptr)  // the problem has it
+    return answer.add_members({{"frequency_hz", nullptr},
+                               {"amplitude_m", nullptr},
+                               {"stated_as", nullptr},
+                               {"stated_amplitude", nullptr}});
   const auto& excitation = problem.excitation();
   const bool has_none = excitation.is_force() || (band && excitation.unit_amplitude() != 1.0);
   answer.add_members(band ? Json{{"band_hz", {band->from_hz, band->to_hz}}}
                           : Json{{"frequency_hz", excitation.frequency_hz()}});
   answer.add_members({{"amplitude_m", has_none ? Json() : Json(excitation.amplitude())},
                       {"stated_as", data::stated_amplitude(excitation).name()},
-                      {"stated_amplitude", excitation.motion().amplitude}});
+                      {"stated_amplitude", excitation.stated()}});
 }
 
 std::string conditions_of(const data::Case& problem, const std::optional<analytic::FrequencyBand>& band) {
   const auto text = data::shortest_text;
+  if (problem.has(data::Feature::general_motion)) {
+    const auto& wall = problem.contact.wall_motion;
+    const auto* base = problem.general_motion();
+    const auto moved = [](const std::string& what, const data::GeneralMotion& motion) {
+      return what + " " + text_of(motion);
+    };
+    std::string motions = base != nullptr ? moved(problem.is_force() ? "force:" : "base:", *base) : "";
+    if (wall) motions += (motions.empty() ? "" : "; ") + moved("wall:", *wall);
+    return fmt::format("{}; 0 to {} s", motions, text(problem.numerics.duration()));
+  }
   const auto [unit, scale, column] = shown_amplitude(problem);
-  std::string amplitude =
-      fmt::format("{} {}", exact(scale * problem.excitation().motion().amplitude).text, unit);
+  std::string amplitude = fmt::format("{} {}", exact(scale * problem.excitation().stated()).text, unit);
   if (unit != "m" && !band && !problem.excitation().is_force())
     amplitude += fmt::format(" ({} m)", exact(problem.excitation().amplitude()).text);
   return fmt::format(
@@ -241,6 +278,55 @@ Json structure_json(const data::Model& model) {
           {"files", files}};
 }
 
+std::string_view name_of(data::AmplitudeOf kind) {
+  return data::key_named(data::amplitude_keys.at(static_cast<std::size_t>(kind))).name();
+}
+
+Json json_of(const std::vector<data::Sine>& sines) {
+  Json list = Json::array();
+  for (const data::Sine& one : sines)
+    list.push_back({{"frequency_hz", one.frequency_hz},
+                    {"stated_amplitude", one.amplitude},
+                    {"stated_as", name_of(one.amplitude_of)},
+                    {"phase_rad", one.phase}});
+  return {{"kind", "sines"}, {"sines", list}};
+}
+
+Json json_of(const data::Sweep& sweep) {
+  return {{"kind", "sweep"},
+          {"from_hz", sweep.from_hz},
+          {"to_hz", sweep.to_hz},
+          {sweep.is_logarithmic ? "octaves_per_s" : "hz_per_s", sweep.rate},
+          {"stated_amplitude", sweep.amplitude},
+          {"stated_as", name_of(sweep.amplitude_of)}};
+}
+
+Json json_of(const data::Shock& shock) {
+  constexpr std::array names{"half-sine", "sawtooth", "trapezoid"};
+  return {{"kind", "shock"},
+          {"shape", names.at(static_cast<std::size_t>(shock.shape))},
+          {"shock_duration", shock.duration},
+          {"stated_amplitude", shock.amplitude},
+          {"stated_as", name_of(shock.amplitude_of)}};
+}
+
+Json json_of(const data::MotionRecord& record) {
+  constexpr std::array names{"displacement", "velocity", "acceleration", "force"};
+  Json json{{"kind", "record"},        {"file", record.file},
+            {"sha256", record.sha256}, {"rows", record.samples.size()},
+            {"column", record.column}, {"quantity", names.at(static_cast<std::size_t>(record.quantity))},
+            {"unit", record.unit}};
+  for (const auto& [name, value] : {std::pair{"high_pass_hz", record.high_pass_hz},
+                                    {"initial_displacement", record.initial_displacement},
+                                    {"initial_velocity", record.initial_velocity}})
+    if (value) json[name] = *value;
+  return json;
+}
+
+void add_motion(Json& table, const data::GeneralMotion& motion) {
+  table.update(std::visit([](const auto& stated) { return json_of(stated); }, motion.statement()));
+}
+
 }  // namespace
 
 Json problem_json(const data::Case& problem) {
@@ -252,8 +338,13 @@ Json problem_json(const data::Case& problem) {
                                                                   : key.member.is_integer
                                                                       ? Json(static_cast<int>(found->second))
                                                                       : finite_json(found->second);
-  tables["excitation"]["amplitude"] = problem.excitation().amplitude();
-  tables["excitation"]["stated_as"] = data::stated_amplitude(problem.excitation()).name();
+  if (const auto* motion = problem.general_motion()) {
+    add_motion(tables["excitation"], *motion);
+  } else {
+    tables["excitation"]["amplitude"] = problem.excitation().amplitude();
+    tables["excitation"]["stated_as"] = data::stated_amplitude(problem.excitation()).name();
+  }
+  if (const auto& motion = problem.contact.wall_motion) add_motion(tables["wall"], *motion);
   if (const auto& ratios = problem.damping.properties().ratios; !ratios.empty())
     tables["damping"]["ratios"] = ratios;
   if (const data::Model* model = problem.model()) tables["structure"] = structure_json(*model);

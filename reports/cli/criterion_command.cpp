@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -9,8 +12,10 @@
 #include "command.hpp"
 #include "commands.hpp"
 #include "render/criterion_map.hpp"
+#include "stickslip/analytic/held_motion.hpp"
 #include "studies/analyses/criterion_answer.hpp"
 #include "studies/analyses/problem_warnings.hpp"
+#include "studies/common/problem_parameter.hpp"
 
 namespace stickslip::cli {
 
@@ -199,11 +204,80 @@ Answer table_of_cases(const CriterionOptions& options, Outputs& outputs) {
   return answer;
 }
 
+// What the estimate of a record's interpolation is of its largest acceleration, if there is one.
+void add_interpolation(Answer& answer, const data::GeneralMotion& motion, double largest) {
+  if (!(motion.interpolation_error() > 0.0)) return;
+  const double share = motion.interpolation_error() / largest;
+  answer.add_row({"interpolation of the record",
+                  "interpolation_share",
+                  {share, fmt::format("may change its acceleration by {:.2g} %", 100.0 * share)}});
+}
+
+// The three held modes with the largest shares, and what follows base and wall at once.
+void add_shares(Answer& answer, const analytic::MotionReaction& found) {
+  const double largest = found.largest.midpoint();
+  std::vector<std::size_t> order(found.shares.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::ranges::stable_sort(order, std::greater(), [&](std::size_t n) { return std::abs(found.shares[n]); });
+  Json shares = Json::array();
+  std::string text;
+  for (const double share : found.shares) shares.push_back(share);
+  for (std::size_t i = 0; i < std::min<std::size_t>(3, order.size()); ++i)
+    text += fmt::format("{}mode {}: {:.0f} %", i == 0 ? "" : ", ", order[i] + 1,
+                        100.0 * found.shares[order[i]] / largest);
+  answer.add_row({"shares in it", "mode_shares_N", {shares, text}});
+}
+
+Answer answer_for_motion(const data::Case& problem, const analytic::MotionReaction& found) {
+  Answer answer;
+  const double limit = studies::friction_limit(problem);
+  const bool slips = found.largest.lower > limit, sticks = found.largest.upper <= limit;
+  answer.add_members({{"duration_s", problem.numerics.duration()}, {"modes", problem.numerics.modes()}});
+  answer.add_line(conditions_of(problem) + (problem.is_damped() ? ", with damping\n" : "\n"));
+  answer.add_row({"largest |f| / N", "force_max_N", between(found.largest)});
+  answer.add_row({"at / s", "time_of_force_max_s", rounded(found.time, 7)});
+  answer.add_row({"friction limit mu_s P / N", "friction_limit_N", exact(limit)});
+  if (found.largest.upper > 0.0) {
+    const analytic::Bounds margin = limit / found.largest;
+    answer.add_row({"margin mu_s P / |f|", "margin", between(margin)});
+    // The force is proportional to what moves base and wall together, unless something else acts.
+    const auto* base = problem.general_motion();
+    if (problem.constant_force == 0.0 && base != nullptr && !problem.contact.wall_motion)
+      answer.add_row({"critical scale", "critical_scale", between(base->scale() * margin)});
+  }
+  answer.add_row({"verdict", "verdict", word(slips ? "stick-slip" : sticks ? "stick" : "undecided")});
+  if (!sticks && found.first_excess)
+    answer.add_row({"first slip at / s", "first_slip_s", rounded(*found.first_excess, 9)});
+  else
+    answer.add_members({{"first_slip_s", nullptr}});
+  answer.add_row({"modes left out / N",
+                  "omitted_force_N",
+                  {found.omitted, fmt::format("change it by {:.2g} at most", found.omitted)}});
+  if (!found.shares.empty() && found.largest.upper > 0.0) add_shares(answer, found);
+  if (const auto* base = problem.general_motion()) add_interpolation(answer, *base, found.largest_acceleration);
+  return answer;
+}
+
+Answer criterion_of_motion(const data::Case& problem, const CriterionOptions& options, Outputs& outputs) {
+  if (!options.figure.empty())
+    throw data::FieldError("--figure", options.figure,
+                           "left out with a general motion; respond --figure draws it");
+  outputs.open({});
+  report::Progress& progress = outputs.progress("");
+  const auto found =
+      analytic::motion_reaction(problem, [&](double time) { progress(time / problem.numerics.duration()); });
+  Answer answer = answer_for_motion(problem, found);
+  answer.warnings = sentences_of(studies::criterion_warnings(problem));
+  require_finite(answer.json);
+  return answer;
+}
+
 Answer criterion(const CriterionOptions& options, Outputs& outputs) {
   if (!options.more.empty() || !options.plan.empty() || !options.output.empty())
     return table_of_cases(options, outputs);
   const data::Case problem = case_of(options.problem);
   outputs.set_case(problem);
+  if (problem.has(data::Feature::general_motion)) return criterion_of_motion(problem, options, outputs);
   outputs.open({{"--figure", options.figure}});
   const auto found = studies::criterion_answer(problem);
   Answer answer = answer_for_one(problem, found);

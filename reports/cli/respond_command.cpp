@@ -103,7 +103,7 @@ Answer respond(const RespondOptions& options, Outputs& outputs) {
                                     "and leaks into all lines: the window has {} periods of the base; from 8 "
                                     "on, a duration of {} s, a flat-top window takes its place",
                                     100.0 * output.spectrum().leak, output.window()->periods,
-                                    data::shortest_text(16.0 / problem.excitation().frequency_hz())));
+                                    data::shortest_text(16.0 / data::highest_frequency_hz(problem))));
   return answer;
 }
 

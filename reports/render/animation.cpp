@@ -78,7 +78,7 @@ std::vector<FigureData::Value> values_of(const data::Case& problem, const studie
   return {{"points", positions, "1"},
           {"length", problem.beam().length(), "m"},
           {"hz", problem.excitation().frequency_hz(), "Hz"},
-          {"amplitude", stated.scale * problem.excitation().motion().amplitude, std::string(stated.unit())},
+          {"amplitude", stated.scale * problem.excitation().stated(), std::string(stated.unit())},
           {"amplitude_unit", 0.0, "-", std::string(stated.unit())},
           {"force_limit", limit, "N"},
           {"largest_force", largest_force, "N"},

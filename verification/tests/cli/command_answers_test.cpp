@@ -247,6 +247,24 @@ TEST_F(Answers, MapTakesEveryAxisWithItsColumn) {
 // --- the case
 
 // A beam's problem has no further member.
+// The first slip of the bounds is that of the history by events, to the ten digits of the one and the time of the other; what needs a
+// sine says so.
+TEST_F(Answers, OfAMotionAreThoseOfItsHistory) {
+  const std::string louder = " road --set excitation.scale=3";
+  const auto held = json("criterion" + louder), quiet = json("criterion road");
+  EXPECT_EQ(held["verdict"], "stick-slip");
+  EXPECT_EQ(quiet["verdict"], "stick");
+  EXPECT_TRUE(quiet["first_slip_s"].is_null());
+  EXPECT_TRUE(within(held["force_max_N"]["upper"].get<double>(),
+                     3.0 * quiet["force_max_N"]["upper"].get<double>(), reference(1e-4, "1e-7 of 340 N")));
+  EXPECT_EQ(held["problem"]["excitation"]["kind"], "record");
+  const auto moved =
+      json("respond" + louder + " --duration 0.8 --method event-driven --output " + path("h.csv"));
+  EXPECT_TRUE(within(moved["first_slip_s"].get<double>(), held["first_slip_s"].get<double>(),
+                     round_off(1e3, 1, 0.8)));
+  EXPECT_TRUE(holds(run_line("periodic road").errors, "excitation.file is given, but must be left out"));
+}
+
 TEST_F(Answers, TellTheStructureThatIsNoBeam) {
   const data::Case rig = data::load_case("solid-cantilever"), mass = data::load_case("den-hartog");
   EXPECT_EQ(cli::case_line(rig),
