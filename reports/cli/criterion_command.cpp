@@ -254,7 +254,8 @@ Answer answer_for_motion(const data::Case& problem, const analytic::MotionReacti
                   "omitted_force_N",
                   {found.omitted, fmt::format("change it by {:.2g} at most", found.omitted)}});
   if (!found.shares.empty() && found.largest.upper > 0.0) add_shares(answer, found);
-  if (const auto* base = problem.general_motion()) add_interpolation(answer, *base, found.largest_acceleration);
+  if (const auto* base = problem.general_motion())
+    add_interpolation(answer, *base, found.largest_acceleration);
   return answer;
 }
 

@@ -59,7 +59,8 @@ std::vector<ShiftedMotion> shifted_motion(const data::Motion& motion) {
   const auto* harmonic = std::get_if<data::HarmonicExcitation>(&motion);
   if (harmonic == nullptr) {
     const auto& general = std::get<data::GeneralMotion>(motion);
-    throw data::FieldError(general.key(), "given", "left out: this needs one sine, by excitation.frequency_hz");
+    throw data::FieldError(general.key(), "given",
+                           "left out: this needs one sine, by excitation.frequency_hz");
   }
   const double omega = angular_frequency(*harmonic);
   return {{[=](double t) { return std::sin(omega * t); }, harmonic_motion(*harmonic, 0.5 * std::numbers::pi)},

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <utility>
 
-#include "stickslip/analytic/held_motion.hpp"
 #include "stickslip/analytic/beam_boundary_integral.hpp"
 #include "stickslip/analytic/damped_reaction.hpp"
+#include "stickslip/analytic/held_motion.hpp"
 #include "stickslip/analytic/steady_sliding.hpp"
 #include "stickslip/analytic/stick_reaction.hpp"
 #include "stickslip/analytic/tip_mobility.hpp"

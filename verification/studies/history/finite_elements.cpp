@@ -43,7 +43,8 @@ History finite_element_history(const data::Case& problem, const Sampling& sampli
   const solver::PrescribedMotion base = solver::base_motion(problem.motion),
                                  wall = solver::wall_motion(problem, base);
   for (auto& event : events)
-    event.position += wall.displacement(event.time) + (problem.is_force() ? 0.0 : base.displacement(event.time));
+    event.position +=
+        wall.displacement(event.time) + (problem.is_force() ? 0.0 : base.displacement(event.time));
   set_events(history, std::move(events));
   return history;
 }
