@@ -215,26 +215,29 @@ void add_excitation(Answer& answer, const data::Case& problem,
                       {"stated_amplitude", excitation.stated()}});
 }
 
-std::string conditions_of(const data::Case& problem, const std::optional<analytic::FrequencyBand>& band) {
+namespace {
+
+// "25 Hz, 1 mm (0.001 m)".
+std::string sine_text(const data::Case& problem, const std::optional<analytic::FrequencyBand>& band) {
   const auto text = data::shortest_text;
-  if (problem.has(data::Feature::general_motion)) {
-    const auto& wall = problem.contact.wall_motion;
-    const auto* base = problem.general_motion();
-    const auto moved = [](const std::string& what, const data::GeneralMotion& motion) {
-      return what + " " + text_of(motion);
-    };
-    std::string motions = base != nullptr ? moved(problem.is_force() ? "force:" : "base:", *base) : "";
-    if (wall) motions += (motions.empty() ? "" : "; ") + moved("wall:", *wall);
-    return fmt::format("{}; 0 to {} s", motions, text(problem.numerics.duration()));
-  }
   const auto [unit, scale, column] = shown_amplitude(problem);
   std::string amplitude = fmt::format("{} {}", exact(scale * problem.excitation().stated()).text, unit);
   if (unit != "m" && !band && !problem.excitation().is_force())
     amplitude += fmt::format(" ({} m)", exact(problem.excitation().amplitude()).text);
   return fmt::format(
-      "{} Hz, {}, 0 to {} s",
+      "{} Hz, {}",
       band ? text(band->from_hz) + " to " + text(band->to_hz) : text(problem.excitation().frequency_hz()),
-      amplitude, text(problem.numerics.duration()));
+      amplitude);
+}
+
+}  // namespace
+
+std::string conditions_of(const data::Case& problem, const std::optional<analytic::FrequencyBand>& band) {
+  const auto* base = problem.general_motion();
+  const auto& wall = problem.contact.wall_motion;
+  return fmt::format("{}{}, 0 to {} s", base != nullptr ? text_of(*base) : sine_text(problem, band),
+                     wall ? ", wall: " + text_of(*wall) : "",
+                     data::shortest_text(problem.numerics.duration()));
 }
 
 void add_bending(Answer& answer, const data::Beam& beam, const studies::Bending& bending,
