@@ -132,6 +132,35 @@ TEST(Drives, AddUp) {
   });
 }
 
+// With the difference of the forces of few modes and of all at random times: a base at rest or not at the start, a wall at rest or on it.
+TEST(Drives, BoundWhatModesLeftOutChange) {
+  int compared = 0;
+  on_random_structures(
+      24, {.fewest_rows = 8, .most_rows = 30}, [&](const auto& matrices, RandomNumbers& numbers) {
+        data::Case problem = with_matrices(damped_case(numbers.whole(0, 1) == 0 ? 0.0 : 1e-4), matrices);
+        problem.contact.wall = data::Wall({.with_base = numbers.whole(0, 1) == 0});
+        const double jump = numbers.whole(0, 1) == 0 ? 0.0 : numbers.uniform(0.0, 2.0 * pi);
+        problem = moved_by(problem, std::vector<Sine>{{3.0, 1.0, AmplitudeOf::acceleration, jump},
+                                                      {numbers.log_uniform(4.0, 20.0), 1.0,
+                                                       AmplitudeOf::acceleration, 0.0}});
+        HeldMotion all(analytic::contact_model(problem, 200));
+        std::vector<double> times, exact;
+        for (int i = 1; i <= 60; ++i) {
+          times.push_back(problem.numerics.duration() * std::pow(i / 60.0, 3));
+          exact.push_back(all.force(times.back()));
+        }
+        for (const int modes : {3, 6}) {
+          const auto found = motion_reaction(with_value(problem, "numerics.modes", modes));
+          HeldMotion few(analytic::contact_model(problem, modes));
+          for (std::size_t i = 0; i < times.size(); ++i)
+            EXPECT_LE(std::abs(few.force(times[i]) - exact[i]), found.omitted + 1e-7 * found.largest.upper)
+                << times[i];
+          ++compared;
+        }
+      });
+  EXPECT_EQ(compared, 48);
+}
+
 // One held mode, m T_tt + k T, under a half-sine of the base's acceleration on a wall that moves with it: with s = pi/(D w)
 //
 //     T = -A L/(w² (1 - s²)) (sin(pi t/D) - s sin(w t))   up to D, a free vibration then.
