@@ -428,7 +428,8 @@ const Study tested_cases("tested_cases", "dimensionless groups of the beams", []
   std::vector<studies::DimensionlessCase> cases;
   for (const auto& [name, title] : data::list_cases()) {
     const data::Case problem = data::load_case(name);
-    if (problem.model() == nullptr) cases.push_back(studies::dimensionless(problem));
+    if (problem.model() == nullptr && problem.general_motion() == nullptr)
+      cases.push_back(studies::dimensionless(problem));
   }
   return cases;
 });
