@@ -336,7 +336,7 @@ TEST(Enclosures, HoldTheModesThatAreLeftOut) {
       const double t = duration * numbers.log_uniform(1e-4, 1.0);
       EXPECT_LE(std::abs(force.value(t) - all.value(t)), force.omitted(t)) << t;
     }
-    if (problem.damping.ratio() > 0.0) return;
+    if (problem.has(data::Feature::other_damping)) return;
     const analytic::DampedSteadyState steady(problem.beam(),
                                              shaking(problem.excitation().frequency_hz(), 1.0),
                                              problem.damping, analytic::TipSupport::held);
