@@ -54,7 +54,7 @@ Polynomial shifted(const Polynomial& polynomial, double by) {
 Drive::Drive(const data::Case& problem)
     : base_(motion_of_base(problem)),
       wall_(problem.contact.wall_motion),
-      wall_share_(problem.contact.wall.moves_with_base() || base_.is_force() ? 0.0 : 1.0),
+      wall_share_(analytic::wall_share(problem)),
       wall_speed_(problem.contact.wall.speed()) {}
 
 Drive::Largest Drive::largest() const {
