@@ -39,6 +39,17 @@ bool is_lightly_damped(const ContactModel& model) {
   return true;
 }
 
+// What z_k adds to f_d, with ContactDynamics::held_force_row().
+Complex force_weight(const ContactModel& model, const std::vector<double>& row,
+                     const std::vector<Complex>& shape, std::size_t k) {
+  const std::size_t m = model.modes(), count = shape.size() / (2 * m);
+  Complex weight;
+  for (std::size_t n = 0; n < m; ++n)
+    weight +=
+        row[n] / model.angular_frequency[n] * shape[n * count + k] + row[m + n] * shape[(m + n) * count + k];
+  return weight;
+}
+
 }  // namespace
 
 StickPropagator::StickPropagator(const ContactDynamics& dynamics)
@@ -85,14 +96,13 @@ void StickPropagator::set_forcing() {
   force_harmonic_ = dynamics_.held_force();
   least_bend_ = omega_ * omega_ * std::hypot(force_harmonic_.sine, force_harmonic_.cosine);
   for (std::size_t k = 0; k < count; ++k) {
-    Complex sine, cosine, constant, weight;
+    const Complex weight = force_weight(dynamics_.model(), row, shape_, k);
+    Complex sine, cosine, constant;
     for (std::size_t n = 0; n < m; ++n) {
       const Harmonic load = dynamics_.held_load(n);
       sine += inverse_[k * 2 * m + m + n] * load.sine;
       cosine += inverse_[k * 2 * m + m + n] * load.cosine;
       constant += inverse_[k * 2 * m + m + n] * load.constant;
-      weight += row[n] / dynamics_.model().angular_frequency[n] * shape_[n * count + k] +
-                row[m + n] * shape_[(m + n) * count + k];
     }
     const double rate = std::abs(eigenvalue_[k]), size = std::abs(weight), push = std::abs(constant);
     const double load_size = std::abs(sine) + std::abs(cosine);
@@ -122,18 +132,15 @@ void StickPropagator::set_drive() {
   }
   for (std::size_t k = 0; k < count; ++k) {
     DriveRow<Complex> drive;
-    Complex weight;
     for (std::size_t n = 0; n < m; ++n) {
       const Complex share = inverse_[k * 2 * m + m + n];
       drive.base_acceleration += share * model.load[n];
       drive.base_velocity += share * drag(n);
       drive.wall_acceleration -= share * model.mass_coupling[n];
       drive.wall_velocity -= share * damping(n, m);
-      weight += row[n] / model.angular_frequency[n] * shape_[n * count + k] +
-                row[m + n] * shape_[(m + n) * count + k];
     }
     drive_rows_.push_back(drive);
-    force_weight_.push_back(weight);
+    force_weight_.push_back(force_weight(model, row, shape_, k));
   }
   series_.resize(count);
   terms_.resize(count);
