@@ -40,10 +40,10 @@ std::vector<data::ContactEvent> events_of(const analytic::EventDriven& run,
 
 // u_t = σ w_t + sum U_n T_n_t: zero rates are the quasi-static start, and -a_n w_t a beam that moves with the base.
 std::vector<double> rates_of(const analytic::ContactModel& model, bool starts_with_the_base) {
+  if (!starts_with_the_base) return {};
+  const double wall_velocity = analytic::ContactDynamics(model).wall_velocity(0.0);
   std::vector<double> rates;
-  if (starts_with_the_base)
-    for (const double coupling : model.mass_coupling)
-      rates.push_back(-coupling * analytic::ContactDynamics(model).wall_velocity(0.0));
+  for (const double coupling : model.mass_coupling) rates.push_back(-coupling * wall_velocity);
   return rates;
 }
 
