@@ -79,7 +79,8 @@ Answer sweep_answer(const studies::SweepTask& task, const std::vector<studies::S
   answer.add_line(fmt::format(
       "{} points written to {}{}{}", points.size(), options.output,
       has_both ? fmt::format("; hysteresis at {} of {} values", moving, task.values.size()) : "",
-      resting > 0 ? fmt::format("; at {} the contact sticks at another place on the way back", resting) : ""));
+      resting > 0 ? fmt::format("; at {} the contact sticks at another place on the way back", resting)
+                  : ""));
   answer.add_members({{"parameter", axis_text({task.parameter, task.values})},
                       {"direction", options.direction},
                       {"settle_periods", task.settle},

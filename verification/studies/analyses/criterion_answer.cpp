@@ -96,7 +96,8 @@ std::optional<ModesUsed> modes_used(const data::Case& problem) {
   double residual = coupling;
   for (std::size_t n = 0; n < structure.modes(); ++n)
     residual += structure.mass_coupling[n] * (structure.participation[n] - wall * structure.mass_coupling[n]);
-  return ModesUsed{structure.modes(), structure.moved_mass, coupling == 0.0 ? 0.0 : std::abs(residual / coupling)};
+  return ModesUsed{structure.modes(), structure.moved_mass,
+                   coupling == 0.0 ? 0.0 : std::abs(residual / coupling)};
 }
 
 CriticalAmplitudeSearch search(const data::Case& problem, double hz, double increment, double cap) {
