@@ -12,6 +12,7 @@
 #include "special_functions.hpp"
 #include "stickslip/analytic/event_driven.hpp"
 #include "stickslip/analytic/held_beam.hpp"
+#include "stickslip/analytic/held_motion.hpp"
 #include "stickslip/analytic/stick_propagator.hpp"
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/analytic/tip_mobility.hpp"
@@ -30,8 +31,7 @@ void require_usable(const data::Damping& damping, const TimeGrid& grid) {
 }
 
 /// The contact held by more friction than any case has.
-ContactModel bonded_model(const HeldStructure& structure, const data::HarmonicExcitation& excitation) {
-  ContactModel model = contact_model(structure, excitation);
+ContactModel bonded(ContactModel model) {
   model.normal_force = 1e18;
   model.friction = data::FrictionLaw({.static_coefficient = 1.0, .kinetic_coefficient = 0.0, .decay = 0.0});
   return model;
@@ -89,7 +89,8 @@ std::vector<double> undamped_holding_force(const data::Beam& beam, const data::H
 std::vector<double> damped_holding_force(const data::Beam& beam, const data::HarmonicExcitation& excitation,
                                          const data::Damping& damping, const TimeGrid& grid) {
   const StatusInsteadOfAbort guard;
-  const ContactModel model = bonded_model(HeldBeam(beam, damping, damped_modes).structure(), excitation);
+  const ContactModel model =
+      bonded(contact_model(HeldBeam(beam, damping, damped_modes).structure(), excitation));
   const ContactDynamics dynamics(model);
   StickPropagator held(dynamics);
   held.begin(0.0, {std::vector<double>(dynamics.modes()), std::vector<double>(dynamics.modes())});
@@ -108,7 +109,32 @@ std::vector<double> damped_holding_force(const data::Beam& beam, const data::Har
   return values;
 }
 
+/// y(x, t_n) of the beam in these modes with its contact held.
+std::vector<double> bonded_displacement(const HeldBeam& beam, ContactModel model, const TimeGrid& grid,
+                                        double x, std::size_t every) {
+  const std::vector<double> shapes = beam.shapes(x);
+  EventDriven run(bonded(std::move(model)));
+  std::vector<double> values;
+  for (std::size_t n = 0; n <= grid.steps; n += every) {
+    run.advance_to(static_cast<double>(n) * grid.time_step);
+    values.push_back(absolute_displacement(shapes, run));
+  }
+  return values;
+}
+
+HeldBeam beam_under_motion(const data::Case& problem) {
+  return {problem.beam(), problem.damping, problem.is_damped() ? damped_modes : undamped_modes};
+}
+
 }  // namespace
+
+std::vector<double> holding_force(const ContactModel& model, const TimeGrid& grid) {
+  HeldMotion motion(model);
+  std::vector<double> values(grid.steps);
+  for (std::size_t n = 0; n < values.size(); ++n)
+    values[n] = motion.force((static_cast<double>(n) + 0.5) * grid.time_step);
+  return values;
+}
 
 std::vector<double> holding_force(const data::Beam& beam, const data::HarmonicExcitation& excitation,
                                   const data::Damping& damping, const TimeGrid& grid) {
@@ -131,28 +157,25 @@ std::vector<double> held_displacement(const data::Beam& beam, const data::Harmon
     sample(response.absolute_displacement(x));
   } else {
     const HeldBeam held(beam, damping, damped_modes);
-    const std::vector<double> shapes = held.shapes(x);
-    EventDriven run(bonded_model(held.structure(), excitation));
-    sample([&](double t) {
-      run.advance_to(t);
-      return absolute_displacement(shapes, run);
-    });
+    return bonded_displacement(held, contact_model(held.structure(), excitation), grid, x, every);
   }
   return values;
 }
 
 BeamBoundaryIntegral::BeamBoundaryIntegral(const data::Case& problem, const TimeGrid& grid, int stages)
-    : beam_(problem.beam()),
-      excitation_(problem.excitation()),
-      damping_(problem.damping),
-      grid_(grid),
-      stages_(stages) {
-  require_compression(beam_);
-  const ContactLaw law{beam_.axial_force(), problem.contact.friction, problem.contact.compliance,
+    : problem_(problem), grid_(grid), stages_(stages) {
+  const data::Beam& beam = problem.beam();
+  require_compression(beam);
+  const ContactLaw law{beam.axial_force(), problem.contact.friction, problem.contact.compliance,
                        grid.time_step};
   require_unique_step(law, 0.0);  // what is refused without the weights, which take long
-  const TipMobility mobility(beam_, damping_);
-  holding_force_ = holding_force(beam_, excitation_, damping_, grid);
+  const TipMobility mobility(beam, problem.damping);
+  if (problem.has(data::Feature::general_motion)) {
+    require_usable(problem.damping, grid);
+    holding_force_ = holding_force(contact_model(beam_under_motion(problem).structure(), problem), grid);
+  } else {
+    holding_force_ = holding_force(beam, problem.excitation(), problem.damping, grid);
+  }
   steps_ = contact_steps(mobility_weights(mobility, grid.time_step, grid.steps, stages), law, holding_force_);
 }
 
@@ -161,7 +184,7 @@ std::vector<double> BeamBoundaryIntegral::tip_displacement(std::size_t every) co
 }
 
 std::vector<double> BeamBoundaryIntegral::displacement(double x, std::size_t every) const {
-  const TipMobility mobility(beam_, damping_);
+  const TipMobility mobility(problem_.beam(), problem_.damping);
   const auto transfer = [&](std::complex<double> s) { return mobility.transfer(x, s); };
   std::vector<double> force;
   force.reserve(steps_.size());
@@ -169,7 +192,13 @@ std::vector<double> BeamBoundaryIntegral::displacement(double x, std::size_t eve
     force.push_back(steps_[n].friction_force - holding_force_[n]);
   const std::vector<double> velocity =
       convolution(mobility_weights(transfer, grid_.time_step, grid_.steps, stages_), force);
-  std::vector<double> values = held_displacement(beam_, excitation_, damping_, grid_, x, every);
+  std::vector<double> values;
+  if (problem_.has(data::Feature::general_motion)) {
+    const HeldBeam held = beam_under_motion(problem_);
+    values = bonded_displacement(held, contact_model(held.structure(), problem_), grid_, x, every);
+  } else {
+    values = held_displacement(problem_.beam(), problem_.excitation(), problem_.damping, grid_, x, every);
+  }
   double position = 0.0;
   for (std::size_t n = 1; n <= velocity.size(); ++n) {
     position += grid_.time_step * velocity[n - 1];

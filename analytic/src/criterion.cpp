@@ -18,7 +18,7 @@ double amplitude_at(double limit, double per_unit) {
 
 Criterion criterion_of(const data::Case& problem, const Bounds& per_unit) {
   const double limit = problem.contact.friction.static_coefficient() * problem.normal_force();
-  const Bounds force = problem.excitation().amplitude() * per_unit;
+  const Bounds force = load(problem) * per_unit;
   return {.force_max = force,
           .friction_limit = limit,
           .critical_amplitude = {amplitude_at(limit, per_unit.upper), amplitude_at(limit, per_unit.lower)},

@@ -59,7 +59,7 @@ class Search {
   }
 
   [[nodiscard]] MotionReaction take() {
-    result_.largest = {lower_, std::max(lower_, upper_)};
+    result_.of_modes = {lower_, std::max(lower_, upper_)};
     return std::move(result_);
   }
 
@@ -113,9 +113,10 @@ double HeldMotion::force(double t) {
   return stick_.force(t);
 }
 
-MotionReaction motion_reaction(const data::Case& problem, const std::function<void(double)>& report) {
+MotionReaction motion_reaction(const data::Case& problem, int modes,
+                               const std::function<void(double)>& report) {
   constexpr int quiet_pieces = 4096;
-  const ContactModel model = contact_model(problem, problem.numerics.modes());
+  const ContactModel model = contact_model(problem, modes);
   const auto& [omega, contact, load] = model.omitted;
   const double duration = problem.numerics.duration(),
                decay =
@@ -143,8 +144,6 @@ MotionReaction motion_reaction(const data::Case& problem, const std::function<vo
                                                       : omega * std::sqrt(contact * load);
     result.omitted = coupling * base.bound() + contact * wall.bound();
   }
-  result.largest.lower = std::max(0.0, result.largest.lower - result.omitted);
-  result.largest.upper += result.omitted;
   return result;
 }
 

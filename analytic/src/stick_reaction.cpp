@@ -11,6 +11,7 @@
 
 #include "beam_constants.hpp"
 #include "stickslip/analytic/damped_steady_state.hpp"
+#include "stickslip/analytic/held_motion.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/analytic/timoshenko_modes.hpp"
@@ -32,6 +33,11 @@ Bounds widened(const Bounds& force, double by) { return {std::max(0.0, force.low
 
 ModalReaction undamped_reaction(const data::Case& problem);
 
+// The case whose forces are those of StickReaction.
+data::Case of_unit_load(const data::Case& problem) {
+  return is_proportional_to_scale(problem) ? with(problem, problem.general_motion()->scaled(1.0)) : problem;
+}
+
 // Any but an undamped beam on a wall at rest.
 bool needs_held_structure(const data::Case& problem) {
   return problem.model() != nullptr || problem.is_damped() || wall_share(problem) != 1.0;
@@ -52,6 +58,15 @@ double inertia(const HeldStructure& structure) {
 
 }  // namespace
 
+bool is_proportional_to_scale(const data::Case& problem) {
+  return problem.general_motion() != nullptr && !problem.contact.wall_motion && problem.constant_force == 0.0;
+}
+
+double load(const data::Case& problem) {
+  if (!problem.has(data::Feature::general_motion)) return problem.excitation().amplitude();
+  return is_proportional_to_scale(problem) ? problem.general_motion()->scale() : 1.0;
+}
+
 // With g = Ω³ √(α β), h = κ δ Ω α, ω the lowest frequency left out, x = Ω/ω and q = 1/(1 - x²).
 OmittedForce omitted_force(const data::Case& problem, const HeldStructure& structure) {
   const double omega = angular_frequency(problem), delta = problem.damping.mass_proportional();
@@ -66,7 +81,7 @@ OmittedForce omitted_force(const data::Case& problem, const HeldStructure& struc
 
 StickReaction::StickReaction(const data::Case& problem, Kept kept)
     : kept_(std::make_shared<const Kept>(std::move(kept))),
-      omega_(angular_frequency(problem)),
+      omega_(kept_->of_motion ? 0.0 : angular_frequency(problem)),
       duration_(problem.numerics.duration()) {}
 
 StickReaction::StickReaction(const data::Case& problem) : StickReaction(problem, kept_of(problem)) {}
@@ -75,11 +90,14 @@ StickReaction::StickReaction(const data::Case& problem, int modes)
     : StickReaction(problem, kept_of(problem, modes)) {}
 
 StickReaction::StickReaction(const data::Case& problem, ModalReaction reaction)
-    : StickReaction(problem, Kept{.undamped = std::move(reaction), .damped = {}, .half = {}, .omitted = {}}) {
-}
+    : StickReaction(problem, Kept{.undamped = std::move(reaction), .damped = {}, .half = {}}) {}
 
 StickReaction::Kept StickReaction::kept_of(const data::Case& problem) {
   Kept kept;
+  if (problem.has(data::Feature::general_motion)) {
+    kept.of_motion = motion_reaction(of_unit_load(problem), problem.numerics.modes()).of_modes;
+    return kept;
+  }
   // Eq. (28) is that of a beam on a wall at rest.
   const bool is_that_of_the_paper = problem.model() == nullptr && wall_share(problem) == 1.0;
   if (needs_held_structure(problem))
@@ -91,7 +109,9 @@ StickReaction::Kept StickReaction::kept_of(const data::Case& problem) {
 
 StickReaction::Kept StickReaction::kept_of(const data::Case& problem, int modes) {
   Kept kept;
-  if (needs_held_structure(problem)) {
+  if (problem.has(data::Feature::general_motion)) {
+    kept.of_motion = motion_reaction(of_unit_load(problem), modes).largest();
+  } else if (needs_held_structure(problem)) {
     const HeldStructure structure = held_structure(problem, modes);
     kept.damped = damped_reaction(structure, SteadyPart::exact);
     const bool is_model = problem.model() != nullptr,
@@ -124,6 +144,7 @@ DampedForce StickReaction::damped_force() const {
 }
 
 Bounds StickReaction::largest(double relative_width) const {
+  if (kept_->of_motion) return *kept_->of_motion;
   return widened(kept_->damped ? damped_force().refined_to(relative_width)
                                : ForceMaximum(*kept_->undamped, omega_, duration_).refined_to(relative_width),
                  kept_->omitted.start_up);
@@ -134,7 +155,7 @@ Bounds StickReaction::damped_steady() const {
 }
 
 bool StickReaction::exceeds(double limit, double relative_width) const {
-  if (kept_->damped) return largest(relative_width).lower > limit;
+  if (!kept_->undamped || kept_->damped) return largest(relative_width).lower > limit;
   return ForceMaximum(*kept_->undamped, omega_, duration_).exceeds(limit);
 }
 
@@ -165,6 +186,7 @@ void StickReactions::tabulate(double lowest_load_factor, double highest_load_fac
 }
 
 StickReaction StickReactions::of(const data::Case& problem) const {
+  if (problem.has(data::Feature::general_motion)) return StickReaction(problem);
   const bool has_its_modes = problem.numerics.modes() == first_.numerics.modes();
   if (table_ && has_its_modes && !needs_held_structure(problem) && table_->holds(problem.beam()))
     return {problem, table_->at(problem.beam())};
@@ -178,6 +200,10 @@ StickReaction StickReactions::of(const data::Case& problem) const {
 }
 
 ModesOfAll modes_of_all(const data::Case& problem, bool verdict_alone) {
+  if (problem.has(data::Feature::general_motion)) {
+    const int most = problem.model() != nullptr ? 240 : 160;
+    return {.first = std::clamp(problem.numerics.modes(), 40, most), .most = most};
+  }
   const bool is_undamped = !needs_held_structure(problem);
   ModesOfAll modes{.first = is_undamped ? 200 : 40, .most = is_undamped ? 800 : 160};
   if (problem.model() != nullptr) modes = {.first = 60, .most = 240};

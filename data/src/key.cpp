@@ -432,7 +432,7 @@ CaseNumbers numbers_with(const Case& problem,
     if (!has(before, key) && motion != nullptr && key.table() == "excitation")
       throw FieldError(path, value, "left out: the motion is that of " + motion->key());
     if (!has(before, key) && !may_come)
-      throw FieldError(path, value, "left out: the case has no [section] with it");
+      throw FieldError(path, value, "left out: the case has no [" + std::string(key.table()) + "] with it");
     key.member.set(after, value);
   }
   after.section.require_valid();

@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "stickslip/analytic/stick_reaction.hpp"
 #include "stickslip/data/csv_text.hpp"
 
 namespace stickslip::cli {
@@ -170,6 +171,10 @@ std::string case_line(const data::Case& problem) {
 }
 
 ShownAmplitude shown_amplitude(const data::Case& problem) {
+  if (problem.has(data::Feature::general_motion)) {
+    const std::string_view name = analytic::is_proportional_to_scale(problem) ? "scale" : "factor";
+    return {"1", 1.0, name, name};
+  }
   const data::Key& key = data::stated_amplitude(problem.excitation());
   if (problem.excitation().motion().amplitude_of == data::AmplitudeOf::displacement)
     return {key.magnitudes.unit, 1.0, key.axis.column};
@@ -220,7 +225,7 @@ namespace {
 // "25 Hz, 1 mm (0.001 m)".
 std::string sine_text(const data::Case& problem, const std::optional<analytic::FrequencyBand>& band) {
   const auto text = data::shortest_text;
-  const auto [unit, scale, column] = shown_amplitude(problem);
+  const auto [unit, scale, column, name] = shown_amplitude(problem);
   std::string amplitude = fmt::format("{} {}", exact(scale * problem.excitation().stated()).text, unit);
   if (unit != "m" && !band && !problem.excitation().is_force())
     amplitude += fmt::format(" ({} m)", exact(problem.excitation().amplitude()).text);

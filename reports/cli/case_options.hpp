@@ -62,11 +62,13 @@ void require_no_fixed_value(const CaseOptions& options, std::string_view varied,
 /// The members of a change of a key, or null.
 [[nodiscard]] Json change_json(const std::optional<studies::Change>& change);
 
-/// How amplitudes of what the case states are shown: in m, m/s or g, that times the SI value, and their column in SI units.
+/// How what the case states is shown: an amplitude in m, m/s or g, that times the SI value, and its column in SI units. Of a general motion
+/// the scale or, where |f_max| is not proportional to it alone, a factor of all that acts.
 struct ShownAmplitude {
   std::string_view unit;
   double scale{};
   std::string_view column;
+  std::string_view name = "amplitude";
 };
 [[nodiscard]] ShownAmplitude shown_amplitude(const data::Case& problem);
 

@@ -13,6 +13,7 @@
 #include "commands.hpp"
 #include "render/criterion_map.hpp"
 #include "stickslip/analytic/held_motion.hpp"
+#include "stickslip/analytic/stick_reaction.hpp"
 #include "studies/analyses/criterion_answer.hpp"
 #include "studies/analyses/problem_warnings.hpp"
 #include "studies/common/problem_parameter.hpp"
@@ -37,7 +38,7 @@ std::vector<LabelledValue> rows_of(const data::Case& problem, const analytic::Cr
     rows.insert(rows.end(), {{"", "critical_amplitude_m", middle(criterion.critical_amplitude)},
                              {"critical amplitude / m", "critical_amplitude_bounds_m",
                               between(criterion.critical_amplitude)}});
-  if (const auto [unit, scale, column] = shown_amplitude(problem); unit != "m") {
+  if (const auto [unit, scale, column, name] = shown_amplitude(problem); unit != "m") {
     const auto stated = 1.0 / problem.excitation().unit_amplitude() * criterion.critical_amplitude;
     rows.push_back({fmt::format("critical amplitude / {}", unit),
                     fmt::format("critical_{}", column),
@@ -179,21 +180,21 @@ Answer table_of_cases(const CriterionOptions& options, Outputs& outputs) {
   const std::size_t rows = cases.size() * points.size();
   report::Progress& progress = outputs.progress("", rows);
   Answer answer;
+  const Value none{nullptr, "-"};
   for (const CaseOptions& one : cases)
     for (const auto& point : points) {
       const data::Case problem = case_of(one, point);
       const auto found = analytic::criterion_with_all_modes(problem, 1e-10);
-      const bool is_force = problem.excitation().is_force();
+      const bool is_sine = problem.general_motion() == nullptr, is_motion = is_sine && !problem.is_force();
       auto& row = table.rows.emplace_back(std::vector{word(problem.name)});
       for (const data::Override& key : point) row.push_back(word(key.value));
-      row.insert(
-          row.end(),
-          {exact(problem.excitation().frequency_hz()),
-           is_force ? Value{nullptr, "-"} : exact(problem.excitation().amplitude()), middle(found.force_max),
-           exact(found.friction_limit), is_force ? Value{nullptr, "-"} : middle(found.critical_amplitude),
-           problem.excitation().amplitude() > 0.0 ? middle(studies::margin_of(found)) : Value{nullptr, "-"},
-           word(to_string(found.verdict)), exact(found.force_max.lower), exact(found.force_max.upper),
-           steady_force(studies::steady_state(problem))});
+      row.insert(row.end(),
+                 {is_sine ? exact(problem.excitation().frequency_hz()) : none,
+                  is_motion ? exact(problem.excitation().amplitude()) : none, middle(found.force_max),
+                  exact(found.friction_limit), is_motion ? middle(found.critical_amplitude) : none,
+                  analytic::load(problem) > 0.0 ? middle(studies::margin_of(found)) : none,
+                  word(to_string(found.verdict)), exact(found.force_max.lower), exact(found.force_max.upper),
+                  is_sine ? steady_force(studies::steady_state(problem)) : none});
       for (const std::string& warning :
            warnings_about(problem, found.verdict, studies::held_bending(problem)))
         add_warning(answer, problem.name + ": " + warning);
@@ -215,7 +216,7 @@ void add_interpolation(Answer& answer, const data::GeneralMotion& motion, double
 
 // The three held modes with the largest shares, and what follows base and wall at once.
 void add_shares(Answer& answer, const analytic::MotionReaction& found) {
-  const double largest = found.largest.midpoint();
+  const double largest = found.of_modes.midpoint();
   std::vector<std::size_t> order(found.shares.size());
   std::iota(order.begin(), order.end(), 0U);
   std::ranges::stable_sort(order, std::greater(), [&](std::size_t n) { return std::abs(found.shares[n]); });
@@ -231,29 +232,28 @@ void add_shares(Answer& answer, const analytic::MotionReaction& found) {
 Answer answer_for_motion(const data::Case& problem, const analytic::MotionReaction& found) {
   Answer answer;
   const double limit = studies::friction_limit(problem);
-  const bool slips = found.largest.lower > limit, sticks = found.largest.upper <= limit;
+  const analytic::Bounds largest = found.largest();
+  const analytic::Verdict verdict = analytic::verdict_of(largest, limit);
   answer.add_members({{"duration_s", problem.numerics.duration()}, {"modes", problem.numerics.modes()}});
   answer.add_line(conditions_of(problem) + (problem.is_damped() ? ", with damping\n" : "\n"));
-  answer.add_row({"largest |f| / N", "force_max_N", between(found.largest)});
+  answer.add_row({"largest |f| / N", "force_max_N", between(largest)});
   answer.add_row({"at / s", "time_of_force_max_s", rounded(found.time, 7)});
   answer.add_row({"friction limit mu_s P / N", "friction_limit_N", exact(limit)});
-  if (found.largest.upper > 0.0) {
-    const analytic::Bounds margin = limit / found.largest;
+  if (largest.upper > 0.0) {
+    const analytic::Bounds margin = limit / largest;
     answer.add_row({"margin mu_s P / |f|", "margin", between(margin)});
-    // The force is proportional to what moves base and wall together, unless something else acts.
-    const auto* base = problem.general_motion();
-    if (problem.constant_force == 0.0 && base != nullptr && !problem.contact.wall_motion)
-      answer.add_row({"critical scale", "critical_scale", between(base->scale() * margin)});
+    if (analytic::is_proportional_to_scale(problem))
+      answer.add_row({"critical scale", "critical_scale", between(analytic::load(problem) * margin)});
   }
-  answer.add_row({"verdict", "verdict", word(slips ? "stick-slip" : sticks ? "stick" : "undecided")});
-  if (!sticks && found.first_excess)
+  answer.add_row({"verdict", "verdict", word(to_string(verdict))});
+  if (verdict != analytic::Verdict::stick && found.first_excess)
     answer.add_row({"first slip at / s", "first_slip_s", rounded(*found.first_excess, 9)});
   else
     answer.add_members({{"first_slip_s", nullptr}});
   answer.add_row({"modes left out / N",
                   "omitted_force_N",
                   {found.omitted, fmt::format("change it by {:.2g} at most", found.omitted)}});
-  if (!found.shares.empty() && found.largest.upper > 0.0) add_shares(answer, found);
+  if (!found.shares.empty() && largest.upper > 0.0) add_shares(answer, found);
   if (const auto* base = problem.general_motion())
     add_interpolation(answer, *base, found.largest_acceleration);
   return answer;
@@ -265,8 +265,8 @@ Answer criterion_of_motion(const data::Case& problem, const CriterionOptions& op
                            "left out with a general motion; respond --figure draws it");
   outputs.open({});
   report::Progress& progress = outputs.progress("");
-  const auto found =
-      analytic::motion_reaction(problem, [&](double time) { progress(time / problem.numerics.duration()); });
+  const auto found = analytic::motion_reaction(
+      problem, problem.numerics.modes(), [&](double time) { progress(time / problem.numerics.duration()); });
   Answer answer = answer_for_motion(problem, found);
   answer.warnings = sentences_of(studies::criterion_warnings(problem));
   require_finite(answer.json);

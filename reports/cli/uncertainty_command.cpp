@@ -66,10 +66,10 @@ void add_samples(Answer& answer, const data::Case& problem, const UncertaintyOpt
 
 Table quantile_table(const data::Case& problem,
                      const std::vector<studies::SlipUncertainty::Quantile>& quantiles) {
-  const auto [unit, scale, column] = shown_amplitude(problem);
+  const auto [unit, scale, column, name] = shown_amplitude(problem);
   Table table{
       .columns = {{"quantile", "probability", 28},
-                  {fmt::format("critical amplitude / {}", unit), fmt::format("critical_{}", column), 26},
+                  {fmt::format("critical {} / {}", name, unit), fmt::format("critical_{}", column), 26},
                   {"margin mu_s P/|f_max|", "margin"}},
       .rows = {}};
   for (const auto& [probability, amplitude, margin] : quantiles)

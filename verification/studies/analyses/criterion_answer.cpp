@@ -154,7 +154,9 @@ std::optional<SteadyState> steady_state(const data::Case& problem) {
 
 std::optional<Bending> held_bending(const data::Case& problem) {
   constexpr int instants = 4096;
-  if (problem.model() != nullptr || problem.has(data::Feature::shear)) return std::nullopt;
+  if (problem.model() != nullptr || problem.has(data::Feature::shear) ||
+      problem.has(data::Feature::general_motion))
+    return std::nullopt;
   std::vector<double> times;
   for (int i = 0; i < instants; ++i)
     times.push_back(problem.numerics.duration() *

@@ -22,8 +22,11 @@ using analytic::Verdict;
 
 namespace {
 
-bool is_amplitude(std::string_view parameter) {
-  return data::state_the_same(parameter, data::amplitude_keys.front());
+// Whether the force of a cell is that of another one times the number on this axis.
+bool is_load(const data::Case& problem, std::string_view parameter) {
+  return analytic::is_proportional_to_scale(problem)
+             ? parameter == "excitation.scale"
+             : data::state_the_same(parameter, data::amplitude_keys.front());
 }
 
 bool either(const MapTask& task, bool data::KeyEffects::*effect) {
@@ -39,8 +42,7 @@ bool couples_modes(const MapTask& task) { return either(task, &data::KeyEffects:
 
 // How many values of an axis need separate evaluations of the force.
 std::size_t evaluations_along(const MapTask& task, const MapAxis& axis) {
-  return data::key_named(axis.parameter).effects.is_a_factor && task.quantities.empty() ? 1
-                                                                                        : axis.values.size();
+  return is_a_factor(task.problem, axis.parameter) && task.quantities.empty() ? 1 : axis.values.size();
 }
 
 // The load factor P L²/EI, which determines the buckling state and the modes of the stick state.
@@ -56,7 +58,7 @@ data::Case case_at(const MapTask& task, std::size_t i, std::size_t j) {
 
 // The result of one evaluation of the force, for all cells that share it.
 struct MapEvaluation {
-  std::optional<analytic::Bounds> unit_force;  // |f_max| per unit of the stated amplitude
+  std::optional<analytic::Bounds> unit_force;  // |f_max| per unit of Factors::load
   CellState state{};                           // of the single cell, if the force is not computed
   std::vector<ResponseValue> response{};       // of the quantities
 };
@@ -79,21 +81,29 @@ class Forces {
     if (lowest > 0.0 && lowest < highest) reactions_.tabulate(lowest, highest);
   }
 
-  // |f_max| per unit of the amplitude that the case states: N/m, N s/m or N s²/m.
+  // |f_max| per unit of Factors::load.
   [[nodiscard]] analytic::Bounds unit_force(const data::Case& problem) const {
-    return problem.excitation().unit_amplitude() * force_per_metre(problem);
+    const bool is_sine = !problem.has(data::Feature::general_motion);
+    return (is_sine ? problem.excitation().unit_amplitude() : 1.0) * force_per_load(problem);
   }
 
   // Whether the tip slips. Far from the friction limit this needs less work than the force itself.
   [[nodiscard]] bool slips(const data::Case& problem) const {
-    const double limit = friction_limit(problem), amplitude = problem.excitation().amplitude();
-    if (!by_elements_) return amplitude > 0.0 && reactions_.of(problem).exceeds(limit / amplitude);
-    return analytic::verdict_of(amplitude * force_per_metre(problem), limit) == Verdict::stick_slip;
+    const double limit = friction_limit(problem), load = analytic::load(problem);
+    if (!by_elements_) return load > 0.0 && reactions_.of(problem).exceeds(limit / load);
+    return analytic::verdict_of(load * force_per_load(problem), limit) == Verdict::stick_slip;
   }
 
  private:
-  [[nodiscard]] analytic::Bounds force_per_metre(const data::Case& problem) const {
+  // Per unit of analytic::load().
+  [[nodiscard]] analytic::Bounds force_per_load(const data::Case& problem) const {
     if (!by_elements_) return reactions_.of(problem).largest();
+    if (problem.has(data::Feature::general_motion)) {
+      const bool is_scaled = analytic::is_proportional_to_scale(problem);
+      const double of_motion = solver::max_abs_friction_force(
+          is_scaled ? with(problem, problem.general_motion()->scaled(1.0)) : problem);
+      return {of_motion, of_motion};
+    }
     const data::HarmonicExcitation unit(
         {.frequency_hz = problem.excitation().frequency_hz(), .amplitude = 1.0});
     const double force = solver::max_abs_friction_force(with(problem, unit));
@@ -137,15 +147,24 @@ class Responses {
   std::optional<analytic::ContactModes> common_;
 };
 
-// The quantities of a cell that |f_max| per unit of the stated amplitude is compared with.
+// The numbers of a cell that |f_max| is proportional to, or that it is compared with.
 struct Factors {
-  double amplitude{}, static_coefficient{}, normal_force{};
+  explicit Factors(const data::Case& of_map)
+      : problem(of_map),
+        load(of_map.has(data::Feature::general_motion) ? analytic::load(of_map)
+                                                       : of_map.excitation().stated()),
+        static_coefficient(of_map.contact.friction.static_coefficient()),
+        normal_force(of_map.normal_force()) {}
 
   void set(std::string_view parameter, double value) {
-    if (is_amplitude(parameter)) amplitude = value;
+    if (is_load(problem, parameter)) load = value;
     if (parameter == "friction.static_coefficient") static_coefficient = value;
     if (parameter == "beam.axial_force" || parameter == "model.normal_force") normal_force = value;
   }
+
+  const data::Case& problem;
+  double load;  // the stated amplitude, or analytic::load()
+  double static_coefficient, normal_force;
 };
 
 void complete(CriterionMap::Cell& cell, const MapEvaluation& evaluation, const Factors& factors,
@@ -154,10 +173,10 @@ void complete(CriterionMap::Cell& cell, const MapEvaluation& evaluation, const F
   cell.response = evaluation.response;
   if (!evaluation.unit_force) return;
   const double limit = factors.static_coefficient * factors.normal_force;
-  const double ratio = factors.amplitude * evaluation.unit_force->midpoint() / limit;
+  const double ratio = factors.load * evaluation.unit_force->midpoint() / limit;
   if (!std::isfinite(ratio)) data::throw_overflow("a force ratio of the map is not finite");
   if (!states_only) cell.force_ratio = ratio;
-  if (analytic::verdict_of(factors.amplitude * *evaluation.unit_force, limit) == Verdict::stick_slip)
+  if (analytic::verdict_of(factors.load * *evaluation.unit_force, limit) == Verdict::stick_slip)
     cell.state = Verdict::stick_slip;
 }
 
@@ -191,7 +210,8 @@ std::vector<MapEvaluation> evaluations_of(const MapTask& task, const std::vector
                                           const std::function<void(double)>& progress = {}) {
   const EvaluationGrid grid(task);
   const bool may_be_buckled = varies_beam(task);
-  const bool decide_only = task.states_only && !either(task, &data::KeyEffects::is_a_factor);
+  const bool decide_only = task.states_only && !is_a_factor(task.problem, task.x.parameter) &&
+                           !is_a_factor(task.problem, task.y.parameter);
   std::optional<Forces> forces;
   std::optional<Responses> responses;
   if (task.quantities.empty())
@@ -280,9 +300,7 @@ CriterionMap criterion_map(const MapTask& task, const std::function<void(double)
                    .cells = {}};
   const auto [first, last] = task.part.of(task.x.values.size() * task.y.values.size());
   map.cells.resize(last - first);
-  Factors factors{.amplitude = task.problem.excitation().stated(),
-                  .static_coefficient = task.problem.contact.friction.static_coefficient(),
-                  .normal_force = task.problem.normal_force()};
+  Factors factors(task.problem);
   for (std::size_t n = first; n < last; ++n) {
     CriterionMap::Cell& cell = map.cells[n - first];
     cell.x = task.x.values[n % grid.cells_along_x];

@@ -205,7 +205,9 @@ std::optional<Warning> instability_warning(const data::Case& problem) {
 }
 
 std::optional<Warning> few_modes_warning(const data::Case& problem) {
-  if (!(problem.normal_force() > 0.0) || analytic::is_buckled(problem)) return std::nullopt;
+  if (problem.has(data::Feature::general_motion) || !(problem.normal_force() > 0.0) ||
+      analytic::is_buckled(problem))
+    return std::nullopt;
   const auto truncated = analytic::evaluate_criterion(problem, 1e-4),
              all = analytic::criterion_with_all_modes(problem, 1e-4);
   if (!too_few_modes(truncated, all)) return std::nullopt;
@@ -220,7 +222,9 @@ std::optional<Warning> few_modes_warning(const data::Case& problem) {
 
 std::optional<Warning> coarse_mesh_warning(const data::Case& problem) {
   constexpr int most_elements = 10'000;
-  if (problem.model() != nullptr || analytic::is_buckled(problem)) return std::nullopt;
+  if (problem.model() != nullptr || problem.has(data::Feature::general_motion) ||
+      analytic::is_buckled(problem))
+    return std::nullopt;
   const auto vibrations = analytic::free_vibrations(problem);
   const double effect = mesh_effect(problem, vibrations, problem.numerics.elements());
   if (effect <= allowed_model_error) return std::nullopt;
@@ -566,7 +570,7 @@ std::optional<std::string> draw_back_warning(const data::Case& problem, double d
 
 std::vector<Warning> warnings_common_to(const data::Case& problem,
                                         const std::vector<std::string_view>& varied) {
-  if (analytic::is_buckled(problem)) return {};
+  if (problem.has(data::Feature::general_motion) || analytic::is_buckled(problem)) return {};
   const auto all_of = [&](auto property) {
     return std::ranges::all_of(varied,
                                [&](std::string_view key) { return property(data::key_named(key).effects); });

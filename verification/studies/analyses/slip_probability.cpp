@@ -27,7 +27,7 @@ constexpr std::array quantile_probabilities{0.05, 0.25, 0.5, 0.75, 0.95};
 
 // The result of one sample.
 struct SampleResult {
-  double critical_amplitude{};  // of what the case states
+  double critical_load{};  // the stated amplitude, or the scale of a general motion
   double margin{};
   bool slips{};
 };
@@ -42,8 +42,9 @@ class Verdicts {
       problem_ = with_value(problem_, "excitation.frequency_hz", band_->from_hz);
       band_->held = problem_.excitation().motion().amplitude_of;
     }
-    if (std::ranges::any_of(keys_,
-                            [](const auto& key) { return data::key_named(key.key).effects.moves_the_force; }))
+    if (std::ranges::any_of(keys_, [&](const auto& key) {
+          return data::key_named(key.key).effects.moves_the_force && !is_a_factor(problem, key.key);
+        }))
       return;
     force_ = band_ ? search_of(problem_).refined_to(common_width) : unit_force(problem);
   }
@@ -70,7 +71,7 @@ class Verdicts {
       reactions_.tabulate(lowest * buckling, highest * buckling);
   }
 
-  // Whether all samples have one |f_max| per metre of amplitude.
+  // Whether all samples have one |f_max| per unit of analytic::load().
   [[nodiscard]] bool have_one_force() const { return force_.has_value(); }
 
   // Throws data::InputError for values that no beam has.
@@ -79,9 +80,10 @@ class Verdicts {
   // The verdict alone, which far from the limit is cheaper than the force.
   [[nodiscard]] bool slips_at(std::span<const double> values) const {
     const data::Case problem = case_at(values);
-    if (force_ || problem.excitation().amplitude() == 0.0) return of(problem).slips;
+    const double load = analytic::load(problem);
+    if (force_ || load == 0.0) return of(problem).slips;
     analytic::require_contact(problem);
-    const double limit = friction_limit(problem) / problem.excitation().amplitude();
+    const double limit = friction_limit(problem) / load;
     return band_ ? search_of(problem).exceeds(limit) : reactions_.of(problem).exceeds(limit, force_width);
   }
 
@@ -90,12 +92,15 @@ class Verdicts {
  private:
   [[nodiscard]] SampleResult of(const data::Case& problem) const {
     analytic::require_contact(problem);
-    const double limit = friction_limit(problem), amplitude = problem.excitation().amplitude();
-    if (!(amplitude > 0.0)) throw data::FieldError("excitation.amplitude", amplitude, "above 0 (m)");
+    const double limit = friction_limit(problem), load = analytic::load(problem);
+    const bool is_sine = !problem.has(data::Feature::general_motion);
+    if (!(load > 0.0))
+      throw data::FieldError(is_sine ? "excitation.amplitude" : "excitation.scale", load, "above 0");
     const analytic::Bounds force = force_ ? *force_ : unit_force(problem);
-    return {.critical_amplitude = limit / force.midpoint() / problem.excitation().unit_amplitude(),
-            .margin = limit / (amplitude * force.midpoint()),
-            .slips = analytic::verdict_of(amplitude * force, limit) == Verdict::stick_slip};
+    return {
+        .critical_load = limit / force.midpoint() / (is_sine ? problem.excitation().unit_amplitude() : 1.0),
+        .margin = limit / (load * force.midpoint()),
+        .slips = analytic::verdict_of(load * force, limit) == Verdict::stick_slip};
   }
 
   [[nodiscard]] data::Case case_at(std::span<const double> values) const {
@@ -183,17 +188,17 @@ auto results_of(std::size_t count, const JointDistribution& joint, const SlipSam
 }
 
 void add_quantiles(SlipUncertainty& result, const std::vector<std::optional<SampleResult>>& samples) {
-  std::vector<double> amplitudes;
+  std::vector<double> loads;
   for (const auto& sample : samples) {
     if (!sample) continue;
-    amplitudes.push_back(sample->critical_amplitude);
+    loads.push_back(sample->critical_load);
     result.margins.push_back(sample->margin);
   }
-  if (amplitudes.empty()) return;
-  std::ranges::sort(amplitudes);
+  if (loads.empty()) return;
+  std::ranges::sort(loads);
   std::ranges::sort(result.margins);
   for (const double p : quantile_probabilities)
-    result.quantiles.push_back({p, quantile_of(amplitudes, p), quantile_of(result.margins, p)});
+    result.quantiles.push_back({p, quantile_of(loads, p), quantile_of(result.margins, p)});
 }
 
 analytic::Criterion criterion_of_all_modes(const data::Case& problem) {
@@ -207,7 +212,7 @@ auto judge_of_all_modes(const data::Case& problem, const data::Uncertainty& unce
   if (verdicts.have_one_force()) force = criterion_of_all_modes(problem).force_max;
   return [&problem, &uncertainty, force](std::span<const double> values) {
     const data::Case sample = studies::case_at(problem, uncertainty.keys, values);
-    const double ratio = sample.excitation().amplitude() / problem.excitation().amplitude();
+    const double ratio = analytic::load(sample) / analytic::load(problem);
     const Verdict known =
         force ? analytic::verdict_of(ratio * *force, friction_limit(sample)) : Verdict::undecided;
     return known == Verdict::undecided ? criterion_of_all_modes(sample).verdict : known;

@@ -28,11 +28,12 @@ struct SlipSampling {
   bool is_short{};  ///< without all_modes and sensitivity, which take nine tenths of the time
 };
 
-/// The margin is μ_s P/|f_max| = critical amplitude / amplitude; the tip slips below 1.
+/// The margin is μ_s P/|f_max| = critical load / load; the tip slips below 1.
 struct SlipUncertainty {
   struct Quantile {
     double probability{};
-    Estimate critical_amplitude;  ///< of what the case states: m, m/s or m/s²
+    Estimate
+        critical_load;  ///< of the amplitude as the case states it, m, m/s or m/s², or of the scale of a general motion
     Estimate margin;
   };
   /// The margin with one key at its 5 % and 95 % quantiles and the others as in the case; empty where there is no

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "studies/common/problem_parameter.hpp"
 
+#include "stickslip/analytic/stick_reaction.hpp"
+
 namespace stickslip::studies {
 
 double angular_frequency(const data::HarmonicExcitation& excitation) {
@@ -9,6 +11,11 @@ double angular_frequency(const data::HarmonicExcitation& excitation) {
 
 double friction_limit(const data::Case& problem) {
   return problem.contact.friction.static_coefficient() * problem.normal_force();
+}
+
+bool is_a_factor(const data::Case& problem, std::string_view key) {
+  return data::key_named(key).effects.is_a_factor ||
+         (key == "excitation.scale" && analytic::is_proportional_to_scale(problem));
 }
 
 data::Beam with_shear(const data::Beam& beam) {

@@ -15,6 +15,10 @@ namespace stickslip::studies {
 /// μ_s P, N.
 [[nodiscard]] double friction_limit(const data::Case& problem);
 
+/// Whether the force that holds the contact, or its limit, is proportional to the number of a key: KeyEffects::is_a_factor, or
+/// excitation.scale where analytic::is_proportional_to_scale().
+[[nodiscard]] bool is_a_factor(const data::Case& problem, std::string_view key);
+
 /// E/(κ G) of a rectangular section with κ = 5/6 and Poisson's ratio 0.3.
 constexpr double shear_flexibility = 3.12;
 

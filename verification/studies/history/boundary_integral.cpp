@@ -5,7 +5,6 @@
 
 #include "stickslip/analytic/beam_boundary_integral.hpp"
 #include "stickslip/analytic/damped_reaction.hpp"
-#include "stickslip/analytic/held_motion.hpp"
 #include "stickslip/analytic/steady_sliding.hpp"
 #include "stickslip/analytic/stick_reaction.hpp"
 #include "stickslip/analytic/tip_mobility.hpp"
@@ -35,8 +34,7 @@ std::vector<analytic::ContactStep> steps_of_model(const data::Case& problem, con
   const auto middle = [&](std::size_t n) { return (static_cast<double>(n) + 0.5) * grid.time_step; };
   std::vector<double> holding_force(grid.steps);
   if (model.drive) {
-    analytic::HeldMotion motion(model);
-    for (std::size_t n = 0; n < grid.steps; ++n) holding_force[n] = motion.force(middle(n));
+    holding_force = analytic::holding_force(model, grid);
   } else {
     const double duration = static_cast<double>(grid.steps) * grid.time_step;
     const analytic::DampedForce force(analytic::damped_reaction(model, analytic::SteadyPart::exact),

@@ -32,7 +32,7 @@ const std::vector<std::pair<Feature, std::string_view>> features{
     {Feature::force, "`excitation.force`"},
     {Feature::constant_force, "`excitation.constant_force`"},
     {Feature::initial_state, "`[initial]`"},
-    {Feature::general_motion, "`sines`, `sweep`, `shock`, `file` (`[excitation]`, `[wall]`), of a beam"},
+    {Feature::general_motion, "`sines`, `sweep`, `shock`, `file` (`[excitation]`, `[wall]`)"},
     {Feature::start_at_rest, "`--initial-velocity zero`"},
     {Feature::contact_scheme, "`--scheme`"}};
 
@@ -71,12 +71,11 @@ const std::vector<Method>& methods() {
         {Feature::wall_with_base, wall_apart},
         {Feature::initial_state, from_rest},
         {Feature::start_at_rest, quasi_static},
-        {Feature::contact_scheme, elements_only},
-        {Feature::general_motion, "left out for --method {} of a beam; fe and event-driven take it"}},
+        {Feature::contact_scheme, elements_only}},
        require_steps,
        boundary_integral_history,
        true,
-       {Feature::other_damping, Feature::wall_with_base, Feature::general_motion}},
+       {Feature::other_damping, Feature::wall_with_base}},
       {"closed-form",
        Basis::modes,
        {{Feature::slip,

@@ -165,7 +165,7 @@ TEST(RandomStructures, FollowAnyMotionAlikeByThree) {
         statement = data::Shock{data::ShockShape::sawtooth, 0.05, 1.0, acceleration};
     }
     problem.motion = data::GeneralMotion(statement, duration);
-    const double held = analytic::motion_reaction(problem).largest.upper;
+    const double held = analytic::motion_reaction(problem, problem.numerics.modes()).largest().upper;
     problem.structure = data::Model(0.6 * held / 0.3, problem.model()->shared_matrices());
     std::vector<studies::History> histories;
     std::vector<double> times;

@@ -74,11 +74,12 @@ TEST(MapAxis, ChangesItsParameterAlone) {
 STICKSLIP_VERIFIES(CriterionMap, "X7");
 // Values of one number of a case, around its own; a number that may be 0 has that as well.
 studies::MapAxis axis_of(const data::Case& problem, std::string_view key) {
-  const double value = value_of(problem, key), omega = studies::angular_frequency(problem.excitation());
+  const double value = value_of(problem, key), omega = studies::two_pi * data::highest_frequency_hz(problem);
   if (key == "damping.ratio") return {.parameter = key, .values = {0.0, 0.01}};
   if (key == "damping.kelvin_voigt") return {.parameter = key, .values = {0.0, 0.02 / omega}};
   if (key == "beam.axial_direction") return {.parameter = key, .values = {0.0, 0.6}};
-  if (key == "excitation.amplitude") return {.parameter = key, .values = {0.0, 0.5 * value, 2.0 * value}};
+  if (key == "excitation.amplitude" || key == "excitation.scale")
+    return {.parameter = key, .values = {0.0, 0.5 * value, 2.0 * value}};
   return {.parameter = key, .values = {0.6 * value, 1.3 * value}};
 }
 
@@ -142,6 +143,14 @@ TEST(CriterionMap, HoldsTheCriterionOfEachCell) {
         }
   });
   EXPECT_GT(std::min({seen.stick, seen.slip, seen.buckled}), 20);
+  // Under any motion, which has no frequency and a scale in place of its amplitude; with that of the wall it is no factor.
+  Seen of_motions;
+  on_random_cases(4, {.shortest = 0.5, .any_motion = 1.0}, [&](const CaseText& text, RandomNumbers&) {
+    const data::Case problem = with_value(text.problem(), "numerics.modes", 4);
+    for (const auto key : {"beam.length", "damping.ratio", "friction.static_coefficient"})
+      of_motions.expect_map(problem, axis_of(problem, "excitation.scale"), axis_of(problem, key));
+  });
+  EXPECT_GT(std::min(of_motions.stick, of_motions.slip), 5);
   // With shear a map over the frequency shares one reaction, and one over the length does not.
   data::Case sheared = data::load_case("paper");
   sheared.structure = studies::with_shear(sheared.beam());

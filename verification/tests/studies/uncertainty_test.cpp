@@ -358,7 +358,41 @@ TEST(SlipProbability, CountsMarginsBelowOne) {
     const auto result = studies::slip_uncertainty(of, keys, {.samples = 20});
     for (const auto& [p, amplitude, margin] : result.quantiles)
       EXPECT_EQ(margin.value < 1.0, std::floor(20.0 * p) < static_cast<double>(result.slips)) << p;
-    EXPECT_LT(result.quantiles[0].critical_amplitude.value, result.quantiles[4].critical_amplitude.value);
+    EXPECT_LT(result.quantiles[0].critical_load.value, result.quantiles[4].critical_load.value);
+  }
+}
+
+// One sine as a sum of sines has its scale in place of the amplitude. Its force is known to 1e-7, with the inertia of the modes left out,
+// which a sine has where the wall moves with the base.
+TEST(SlipProbability, OfOneSineAsAMotionIsThatSine) {
+  data::Case sine = problem();
+  sine.contact.wall = data::Wall({.with_base = true});
+  const double amplitude = 300.0 / force_per_metre(sine);
+  sine = with_value(sine, "excitation.amplitude", amplitude);
+  data::Case motion = sine;
+  motion.motion = data::GeneralMotion(std::vector<data::Sine>{{sine.excitation().frequency_hz(), amplitude,
+                                                               data::AmplitudeOf::displacement, 0.0}},
+                                      sine.numerics.duration());
+  for (const char* other : {"friction.static_coefficient", "beam.density"}) {
+    const auto spread = uniform(0.98 * value_of(sine, other), 1.02 * value_of(sine, other));
+    const auto of = [&](const data::Case& problem, const std::string& load, double mean) {
+      return studies::slip_uncertainty(
+          problem, independent({{load, uniform(0.5 * mean, 2.0 * mean)}, {other, spread}}),
+          {.samples = 100, .is_short = true});
+    };
+    const auto expected = of(sine, "excitation.amplitude", amplitude),
+               found = of(motion, "excitation.scale", 1.0);
+    EXPECT_EQ(found.slips, expected.slips);
+    EXPECT_GT(std::min(found.slips, found.valid - found.slips), 10U);
+    for (std::size_t i = 0; i < expected.quantiles.size(); ++i) {
+      const double margin = expected.quantiles[i].margin.value,
+                   scale = expected.quantiles[i].critical_load.value / amplitude;
+      EXPECT_TRUE(within(found.quantiles[i].margin.value, margin, reference(1e-6 * margin, "ten times that")))
+          << i;
+      EXPECT_TRUE(
+          within(found.quantiles[i].critical_load.value, scale, reference(1e-6 * scale, "ten times that")))
+          << i;
+    }
   }
 }
 

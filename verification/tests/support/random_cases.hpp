@@ -5,6 +5,7 @@
 /// its relatives with which it fails as well. A case is drawn in dimensionless numbers, so that a plastic clip and a steel pipe are
 /// equally likely.
 
+#include <fmt/ranges.h>
 #include <gtest/gtest-spi.h>
 
 #include <cstdlib>
@@ -26,9 +27,10 @@ struct CaseDomain {
   double kelvin_voigt{0.4}, ratio{0.4};
   double shear{0.0}, fixed_direction{0.4}, moving_wall{0.0}, yielding{0.0};
   double jump{0.1}, viscous{0.2};
-  double resonant{0.0};  ///< next to the first natural frequency
-  double stated{0.0};    ///< the amplitude as a velocity or an acceleration
-  double units{0.0};     ///< the numbers of the beam as texts with units
+  double resonant{0.0};    ///< next to the first natural frequency
+  double stated{0.0};      ///< the amplitude as a velocity or an acceleration
+  double units{0.0};       ///< the numbers of the beam as texts with units
+  double any_motion{0.0};  ///< sines, a sweep or a shock in place of one sine
 };
 
 /// The keys of a case with their values, as a file states them.
@@ -105,6 +107,37 @@ inline void give_damping(CaseText& text, RandomNumbers& numbers, const CaseDomai
     text.set("damping.mass_proportional", 2.0 * ratio * first);
 }
 
+/// In place of one sine, with accelerations of its size: of a few sines, a sweep through its frequency or a shock; of the wall now and then.
+inline void give_motion(CaseText& text, RandomNumbers& numbers) {
+  const double hz = text.number("excitation.frequency_hz"), duration = text.number("excitation.duration"),
+               acceleration = text.number("excitation.amplitude") * std::pow(2.0 * std::numbers::pi * hz, 2);
+  const auto amplitude = [](double value) { return fmt::format("\"{} m/s^2\"", data::shortest_text(value)); };
+  const auto sines = [&](double share) {
+    std::vector<std::string> rows;
+    for (int i = numbers.whole(1, 4); i >= 0; --i)
+      rows.push_back(fmt::format("[{}, {}, {}]", data::shortest_text(hz * numbers.log_uniform(0.3, 3.0)),
+                                 amplitude(share * acceleration * numbers.uniform(0.2, 0.8)),
+                                 data::shortest_text(numbers.uniform(-180.0, 180.0))));
+    return fmt::format("[{}]", fmt::join(rows, ", "));
+  };
+  text.erase("excitation.frequency_hz");
+  text.erase("excitation.amplitude");
+  if (const int kind = numbers.whole(0, 2); kind == 0) {
+    text.set("excitation.sines", sines(1.0));
+  } else {
+    text.set("excitation.amplitude", amplitude(acceleration));
+    if (kind == 1)
+      text.set("excitation.sweep", fmt::format("{{ from = \"{} Hz\", to = \"{} Hz\", rate = \"{} Hz/s\" }}",
+                                               data::shortest_text(0.5 * hz), data::shortest_text(2.0 * hz),
+                                               data::shortest_text(1.5 * hz / duration)));
+    else
+      text.set("excitation.shock", fmt::format("{{ shape = \"{}\", duration = \"{} s\" }}",
+                                               numbers.whole(0, 1) == 0 ? "half-sine" : "trapezoid",
+                                               data::shortest_text(numbers.uniform(0.3, 1.0) * duration)));
+  }
+  if (!text.has("wall.speed") && numbers.whole(0, 3) == 0) text.set("wall.sines", sines(0.3));
+}
+
 inline CaseText random_case(RandomNumbers& numbers, const CaseDomain& domain) {
   const auto happens = [&numbers](double share) { return numbers.uniform(0.0, 1.0) < share; };
   CaseText text;
@@ -160,6 +193,7 @@ inline CaseText random_case(RandomNumbers& numbers, const CaseDomain& domain) {
   if (domain.units > 0.0 && happens(domain.units)) give_units(text);
   if (domain.stated > 0.0 && happens(domain.stated))
     text = stated(text, statements[static_cast<std::size_t>(numbers.whole(0, 3))]);
+  if (domain.any_motion > 0.0 && happens(domain.any_motion)) give_motion(text, numbers);
   return text;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "stickslip/analytic/boundary_integral.hpp"
+#include "stickslip/analytic/contact_model.hpp"
 #include "stickslip/data/problem.hpp"
 
 namespace stickslip::analytic {
@@ -24,13 +25,17 @@ struct TimeGrid {
                                                 const data::HarmonicExcitation& excitation,
                                                 const data::Damping& damping, const TimeGrid& grid);
 
+/// The same under a general motion (HeldMotion), in the middle of each step.
+[[nodiscard]] std::vector<double> holding_force(const ContactModel& model, const TimeGrid& grid);
+
 /// y(x, t_n) of the beam with its tip held, m, at t_n = n every h ≤ h steps. Throws as holding_force().
 [[nodiscard]] std::vector<double> held_displacement(const data::Beam& beam,
                                                     const data::HarmonicExcitation& excitation,
                                                     const data::Damping& damping, const TimeGrid& grid,
                                                     double x, std::size_t every);
 
-/// The beam of the paper by the boundary integral of its tip (boundary_integral.hpp), with TipMobility.
+/// The beam of the paper by the boundary integral of its tip (boundary_integral.hpp), with TipMobility. Under a general motion f_h is that of
+/// HeldMotion in the middle of each step, with as many modes as holding_force().
 ///
 /// Accuracy, without damping: the friction force is constant over a step, and contact changes fall on steps,
 /// so that the events are known to a step at best; the motion converges at a rate between h^(1/2) and h
@@ -51,9 +56,7 @@ class BeamBoundaryIntegral {
   [[nodiscard]] std::vector<double> displacement(double x, std::size_t every = 1) const;
 
  private:
-  data::Beam beam_;
-  data::HarmonicExcitation excitation_;
-  data::Damping damping_;
+  data::Case problem_;
   TimeGrid grid_;
   int stages_;
   std::vector<double> holding_force_;

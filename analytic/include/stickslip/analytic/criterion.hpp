@@ -21,11 +21,12 @@ enum class Verdict { stick, stick_slip, undecided };
 [[nodiscard]] Verdict verdict_of(const Bounds& force, double limit) noexcept;
 
 struct Criterion {
-  Bounds force_max;           ///< max |f|, N, rigorous for the modes kept
-  double friction_limit{};    ///< μ_s P, N
-  Bounds critical_amplitude;  ///< A0 at which max |f| = μ_s P, m; infinite when max |f| is 0 for every
-                              ///< amplitude
-  Verdict verdict{};          ///< verdict_of(force_max, friction_limit)
+  Bounds force_max;         ///< max |f|, N, rigorous for the modes kept
+  double friction_limit{};  ///< μ_s P, N
+  Bounds
+      critical_amplitude;  ///< A0 at which max |f| = μ_s P, m, of a general motion load(); infinite when max |f|
+                           ///< is 0 for every amplitude
+  Verdict verdict{};       ///< verdict_of(force_max, friction_limit)
 };
 
 /// Throws data::FieldError, naming beam.axial_force, unless 0 < P < P_cr: without compression there is no

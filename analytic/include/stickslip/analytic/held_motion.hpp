@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -34,8 +35,9 @@ class HeldMotion {
 
 /// The force that holds the contact under a general motion.
 struct MotionReaction {
-  Bounds largest;  ///< of |f| from 0 to the duration, N; the bounds differ by 1e-7 of it and twice `omitted`
-  double time{};   ///< of the largest value found, s
+  Bounds
+      of_modes;  ///< of |f| of the held modes and the inertia of all others from 0 to the duration, N; they differ by 1e-7 of it
+  double time{};                       ///< of the largest value found, s
   std::optional<double> first_excess;  ///< of μ_s N, s
   double largest_acceleration{};       ///< |h_tt| at the begins of the pieces, m/s²
   std::vector<double> shares;          ///< HeldMotion::shares() at `time`, of the sign that makes f positive
@@ -46,12 +48,17 @@ struct MotionReaction {
   /// where the integrals forget at the rate ζ_n ω_n and count jumps between pieces; Σ a_n p_n by Cauchy and Schwarz, with p . p at most
   /// the moved mass. A bound where damping does not couple these modes; under a force, an estimate.
   double omitted{};
+
+  /// Of |f|: of_modes, widened by `omitted`, N.
+  [[nodiscard]] Bounds largest() const {
+    return {std::max(0.0, of_modes.lower - omitted), of_modes.upper + omitted};
+  }
 };
 
 /// |f| on each piece is at most the larger value at its ends and f_tt L²/8, with a bound of f_tt; a piece that could hold the largest
-/// value or the first excess of μ_s N is halved until it cannot. With numerics.modes held modes and the inertia of all others.
+/// value or the first excess of μ_s N is halved until it cannot. With so many held modes and the inertia of all others.
 /// `report` is told the time from time to time. Throws what contact_model() throws.
-[[nodiscard]] MotionReaction motion_reaction(const data::Case& problem,
+[[nodiscard]] MotionReaction motion_reaction(const data::Case& problem, int modes,
                                              const std::function<void(double)>& report = {});
 
 }  // namespace stickslip::analytic

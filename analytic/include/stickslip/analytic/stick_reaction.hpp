@@ -4,7 +4,8 @@
 /// The force that holds the contact of a case while it sticks: the one door from a case to its physics. Shear, damping, a structure of
 /// one's own and what each of them costs stay behind it.
 ///
-/// Every force here is per unit amplitude of the base displacement, N/m, for the excitation frequency Ω and the duration T of the case.
+/// Every force here is per unit of load(): of one sine per unit amplitude of the base displacement, N/m. It is that of the excitation
+/// frequency Ω, or of the general motion, and of the duration T of the case.
 
 #include <memory>
 #include <mutex>
@@ -37,7 +38,15 @@ struct OmittedForce {
 /// Infinite where Ω is not below the lowest frequency left out. `structure`: of this case.
 [[nodiscard]] OmittedForce omitted_force(const data::Case& problem, const HeldStructure& structure);
 
-/// The reaction of one case.
+/// Whether |f_max| is proportional to excitation.scale: of a general motion that moves the base alone.
+[[nodiscard]] bool is_proportional_to_scale(const data::Case& problem);
+
+/// What the forces here are multiplied by for those of the case: the amplitude of one sine, m; where is_proportional_to_scale(), the scale;
+/// of other general motions 1.
+[[nodiscard]] double load(const data::Case& problem);
+
+/// The reaction of one case. That of a general motion is motion_reaction(), which knows largest() and exceeds() alone; what asks for more
+/// throws what Case::excitation() throws.
 class StickReaction {
  public:
   /// With the first numerics.modes() modes, Eq. (28): ModalReaction, or with damping DampedReaction. The other modes of a Model, and of a
@@ -72,7 +81,8 @@ class StickReaction {
   struct Kept {
     std::optional<ModalReaction> undamped;
     std::optional<DampedReaction> damped, half;  // half as many modes of it, for what is left out
-    OmittedForce omitted;                        // besides that
+    OmittedForce omitted{};                      // besides that
+    std::optional<Bounds> of_motion{};           // in place of all that
   };
   StickReaction(const data::Case& problem, Kept kept);
   [[nodiscard]] static Kept kept_of(const data::Case& problem);
@@ -80,7 +90,7 @@ class StickReaction {
   [[nodiscard]] DampedForce damped_force() const;
 
   std::shared_ptr<const Kept> kept_;
-  double omega_, duration_;
+  double omega_{}, duration_{};
 };
 
 /// The reactions of many cases. They share the modes of the first one where they can, or take them from a table.
@@ -107,7 +117,7 @@ class StickReactions {
 struct ModesOfAll {
   int first{}, most{};
 };
-/// 200 to 800; with damping, which couples them, or a wall that moves with the base 40 to 160; of a Model 60 to 240, or all there are; the first is doubled until the highest mode is at 4 Ω or above. Where a
+/// Under a general motion 40 (or numerics.modes) to 160 modes, of a Model 240. Of one sine 200 to 800; with damping, which couples them, or a wall that moves with the base 40 to 160; of a Model 60 to 240, or all there are; the first is doubled until the highest mode is at 4 Ω or above. Where a
 /// verdict alone counts, undamped ones begin with 40 or 4 numerics.modes. Throws data::FieldError, naming
 /// excitation.frequency_hz, where the most are too few.
 [[nodiscard]] ModesOfAll modes_of_all(const data::Case& problem, bool verdict_alone = false);
