@@ -254,6 +254,32 @@ TEST_F(EveryCommand, SaysOfAnyStructureTheSame) {
   }
 }
 
+// Sines, a sweep or a shock of base and wall. What the modes left out can change is in the bounds of criterion alone.
+TEST_F(EveryCommand, SaysOfAnyMotionTheSame) {
+  on_random_cases(5, {.shortest = 2.0, .any_motion = 1.0}, [&](CaseText text, RandomNumbers&) {
+    text.set("numerics.modes", "12");
+    write("case.toml", text.text());
+    for (const Varied& at :
+         {Varied{"excitation.scale", "", 0.7},
+          {"beam.length", "", 0.93 * text.number("beam.length")},
+          {"friction.static_coefficient", "", 1.2 * text.number("friction.static_coefficient")}}) {
+      const std::string setting = at.key + "=" + at.text();
+      SCOPED_TRACE("stickslip criterion case.toml --set " + setting);
+      const Json one = ask({"criterion", "case.toml", "--set", setting});
+      const double lower = one["margin"]["lower"], upper = one["margin"]["upper"];
+      write("plan.csv", at.key + "\n" + at.text() + "\n");
+      const double in_table = ask({"criterion", "case.toml", "--plan", "plan.csv"})["cases"][0]["margin"];
+      for (const double margin :
+           {by_map(at, one), by_uncertainty(text.text(), at)["quantiles"][2]["margin"]["value"].get<double>(),
+            in_table}) {
+        EXPECT_GE(margin, lower * (1.0 - 1e-6));
+        EXPECT_LE(margin, upper * (1.0 + 1e-6));
+      }
+      EXPECT_TRUE(within(by_python(at), lower, round_off(1, 1, lower)));
+    }
+  });
+}
+
 // A tenth on one key, made as the user would, and better than a tenth on any other.
 TEST_F(EveryCommand, MakesItsBestChangeTrue) {
   const CaseDomain many_modes{.highest_force = 0.7,
