@@ -135,7 +135,7 @@ inline void give_motion(CaseText& text, RandomNumbers& numbers) {
                                                numbers.whole(0, 1) == 0 ? "half-sine" : "trapezoid",
                                                data::shortest_text(numbers.uniform(0.3, 1.0) * duration)));
   }
-  if (!text.has("wall.speed") && numbers.whole(0, 3) == 0) text.set("wall.sines", sines(0.3));
+  if (!text.has("wall.speed") && numbers.whole(0, 1) == 0) text.set("wall.sines", sines(0.3));
 }
 
 inline CaseText random_case(RandomNumbers& numbers, const CaseDomain& domain) {
