@@ -3,6 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
+#include <limits>
+#include <numbers>
+#include <utility>
 
 namespace stickslip::analytic {
 namespace {
@@ -39,9 +43,63 @@ class Response {
   double acceleration_end_{}, jerk_end_{};  // from rest
 };
 
+// The force around its largest value, and the bands in it.
+class Bands {
+ public:
+  explicit Bands(double highest_hz) : highest_(std::exp2(std::ceil(std::log2(highest_hz)))) {}
+
+  // How far apart instants may be.
+  [[nodiscard]] double spacing() const { return 0.125 / highest_; }
+  void add(double time, double force) {
+    while (!recent_.empty() && recent_.front().first < time - half_width()) recent_.pop_front();
+    recent_.emplace_back(time, force);
+    if (time <= peak_ + half_width()) around_.emplace_back(time, force);
+  }
+  // The largest value is at this time, not before the last instant.
+  void set_peak(double time) {
+    peak_ = time;
+    around_.assign(recent_.begin(), recent_.end());
+  }
+  [[nodiscard]] std::vector<BandShare> shares(double largest, double sign) const {
+    std::vector<BandShare> bands;
+    double before = 0.0, from = 0.0;
+    for (int octave = octaves; octave >= 0; --octave) {
+      const double edge = std::ldexp(highest_, -octave), below = sign * cut_off(edge);
+      bands.push_back({from, edge, below - before});
+      before = below;
+      from = edge;
+    }
+    bands.push_back({from, std::numeric_limits<double>::infinity(), largest - before});
+    return bands;
+  }
+
+ private:
+  static constexpr int octaves = 6;
+
+  [[nodiscard]] double half_width() const { return 4.0 / std::ldexp(highest_, -octaves); }
+  // The trapezoidal rule.
+  [[nodiscard]] double cut_off(double edge) const {
+    const auto integrand = [&](const std::pair<double, double>& instant) {
+      const double s = instant.first - peak_, w = std::cos(0.5 * std::numbers::pi * s / half_width());
+      const double z = 2.0 * std::numbers::pi * edge * s;
+      return w * w * instant.second * 2.0 * edge * (std::abs(z) < 1e-9 ? 1.0 : std::sin(z) / z);
+    };
+    double sum = 0.0;
+    for (std::size_t i = 1; i < around_.size(); ++i)
+      sum += 0.5 * (around_[i].first - around_[i - 1].first) *
+             (integrand(around_[i]) + integrand(around_[i - 1]));
+    return sum;
+  }
+
+  double highest_, peak_{};
+  std::deque<std::pair<double, double>> recent_;
+  std::vector<std::pair<double, double>> around_;
+};
+
 class Search {
  public:
-  Search(HeldMotion& motion, double limit) : motion_(motion), limit_(limit) {}
+  Search(HeldMotion& motion, double limit, double highest_hz)
+      : motion_(motion), limit_(limit), bands_(highest_hz) {}
 
   void take_piece(double begin, double end) {
     const double at_begin = size(begin), at_end = size(end);
@@ -49,10 +107,11 @@ class Search {
       result_.first_excess =
           at_begin > limit_ ? std::optional(begin) : motion_.propagator().first_excess(begin, end, limit_);
     refine(begin, at_begin, end, at_end);
+    take_instants(begin, end);
     if (result_.time >= begin) {
-      const double sign = motion_.force(result_.time) < 0.0 ? -1.0 : 1.0;
+      sign_ = motion_.propagator().force(result_.time) < 0.0 ? -1.0 : 1.0;
       result_.shares = motion_.shares(result_.time);
-      for (double& share : result_.shares) share *= sign;
+      for (double& share : result_.shares) share *= sign_;
     }
     result_.largest_acceleration =
         std::max(result_.largest_acceleration, std::abs(2.0 * motion_.dynamics().piece().base[2]));
@@ -60,6 +119,7 @@ class Search {
 
   [[nodiscard]] MotionReaction take() {
     result_.of_modes = {lower_, std::max(lower_, upper_)};
+    if (lower_ > 0.0) result_.bands = bands_.shares(lower_, sign_);
     return std::move(result_);
   }
 
@@ -90,8 +150,23 @@ class Search {
     refine(middle, at_middle, end, at_end);
   }
 
+  // Of the bands, in the piece; its end is the begin of the next one.
+  void take_instants(double begin, double end) {
+    const double count = std::ceil((end - begin) / bands_.spacing());
+    bool has_peak = result_.time >= begin;
+    for (double i = 0.0; i < count; i += 1.0) {
+      const double time = begin + (end - begin) * i / count;
+      bands_.add(time, motion_.propagator().force(time));
+      if (has_peak && time + (end - begin) / count >= result_.time) {
+        bands_.set_peak(result_.time);
+        has_peak = false;
+      }
+    }
+  }
+
   HeldMotion& motion_;
-  double limit_, lower_{}, upper_{};
+  double limit_, lower_{}, upper_{}, sign_{1.0};
+  Bands bands_;
   MotionReaction result_;
 };
 
@@ -122,7 +197,8 @@ MotionReaction motion_reaction(const data::Case& problem, int modes,
                decay =
                    std::isfinite(omega) ? problem.damping.ratio_at(omega, model.modes() + 1) * omega : 0.0;
   HeldMotion motion(model);
-  Search search(motion, problem.contact.friction.static_coefficient() * problem.normal_force());
+  Search search(motion, problem.contact.friction.static_coefficient() * problem.normal_force(),
+                data::highest_frequency_hz(problem));
   Response base(omega, decay), wall(omega, decay);
   int pieces = 0;
   for (double begin = 0.0;;) {

@@ -50,9 +50,12 @@ std::string significant(double value, int digits) {
 
 std::string common_digits(const analytic::Bounds& bounds) {
   if (bounds.lower == bounds.upper) return exact(bounds.lower).text;
-  if (const int digits = studies::common_digits(bounds); digits > 0) return significant(bounds.lower, digits);
+  constexpr int enough = 3;
+  if (const int digits = studies::common_digits(bounds); digits >= enough)
+    return significant(bounds.lower, digits);
   if (std::isinf(bounds.upper)) return significant(bounds.lower, 2) + " or more";
-  return fmt::format("{} ... {}", significant(bounds.lower, 2), significant(bounds.upper, 2));
+  return fmt::format("{} ... {}", significant(bounds.lower, enough + 1),
+                     significant(bounds.upper, enough + 1));
 }
 
 Value exact(double value) {

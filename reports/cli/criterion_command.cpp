@@ -229,6 +229,25 @@ void add_shares(Answer& answer, const analytic::MotionReaction& found) {
   answer.add_row({"shares in it", "mode_shares_N", {shares, text}});
 }
 
+// The three bands with the largest shares.
+void add_bands(Answer& answer, const analytic::MotionReaction& found) {
+  const auto hz = [](double edge) { return std::isfinite(edge) ? Json(edge) : Json(); };
+  Json bands = Json::array();
+  for (const auto& [from, to, force] : found.bands)
+    bands.push_back({{"from_hz", from}, {"to_hz", hz(to)}, {"force_N", force}});
+  auto largest = found.bands;
+  std::ranges::stable_sort(largest, std::greater(), [](const auto& band) { return std::abs(band.force); });
+  std::string text;
+  for (std::size_t i = 0; i < std::min<std::size_t>(3, largest.size()); ++i) {
+    const auto& [from, to, force] = largest[i];
+    text += fmt::format(
+        "{}{}: {:.0f} %", i == 0 ? "" : ", ",
+        std::isfinite(to) ? fmt::format("{:g} to {:g} Hz", from, to) : fmt::format("above {:g} Hz", from),
+        100.0 * force / found.of_modes.midpoint());
+  }
+  answer.add_row({"bands in it", "band_shares", {bands, text}});
+}
+
 Answer answer_for_motion(const data::Case& problem, const analytic::MotionReaction& found) {
   Answer answer;
   const double limit = studies::friction_limit(problem);
@@ -254,6 +273,7 @@ Answer answer_for_motion(const data::Case& problem, const analytic::MotionReacti
                   "omitted_force_N",
                   {found.omitted, fmt::format("change it by {:.2g} at most", found.omitted)}});
   if (!found.shares.empty() && largest.upper > 0.0) add_shares(answer, found);
+  if (!found.bands.empty()) add_bands(answer, found);
   if (const auto* base = problem.general_motion())
     add_interpolation(answer, *base, found.largest_acceleration);
   return answer;

@@ -33,6 +33,12 @@ class HeldMotion {
   StickPropagator stick_;
 };
 
+/// What one band of frequencies adds to the largest |f|.
+struct BandShare {
+  double from_hz{}, to_hz{};  ///< Hz
+  double force{};             ///< N, of the sign that makes f positive
+};
+
 /// The force that holds the contact under a general motion.
 struct MotionReaction {
   Bounds
@@ -41,6 +47,13 @@ struct MotionReaction {
   std::optional<double> first_excess;  ///< of μ_s N, s
   double largest_acceleration{};       ///< |h_tt| at the begins of the pieces, m/s²
   std::vector<double> shares;          ///< HeldMotion::shares() at `time`, of the sign that makes f positive
+  /// Octaves between powers of 2 Hz, the highest with the highest frequency of the motion, and what is below and above them; they add up
+  /// to |f| at `time`, t. With the window w of Hann over 4 periods of the lowest edge before t and after it, an edge cuts off
+  ///
+  ///     ∫ w(s) f(t + s) sin(2π edge s)/(π s) ds,   w = cos²(π s/(2 · 4 periods)), f = 0 before the start and after the end,
+  ///
+  /// by the trapezoidal rule. A sine has all of its force in its band if it is a third of the lowest edge or more away from the others.
+  std::vector<BandShare> bands;
   /// What the held modes left out can change, N. Each of them follows the static load but for a_n p_n X_n(h) + a_n² X_n(w), with
   ///
   ///     X_n(h) ≤ |h_tt(0)| + min(∫|h_ttt|, (|h_ttt(0)| + ∫|h_tttt|)/ω_n),
