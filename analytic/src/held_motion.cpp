@@ -102,12 +102,12 @@ class Search {
       : motion_(motion), limit_(limit), bands_(highest_hz) {}
 
   void take_piece(double begin, double end) {
-    const double at_begin = size(begin), at_end = size(end);
+    const double force = motion_.propagator().force(begin), at_begin = size(begin, force), at_end = size(end);
     if (!result_.first_excess && bound(begin, at_begin, end, at_end) > limit_)
       result_.first_excess =
           at_begin > limit_ ? std::optional(begin) : motion_.propagator().first_excess(begin, end, limit_);
     refine(begin, at_begin, end, at_end);
-    take_instants(begin, end);
+    take_instants(begin, force, end);
     if (result_.time >= begin) {
       sign_ = motion_.propagator().force(result_.time) < 0.0 ? -1.0 : 1.0;
       result_.shares = motion_.shares(result_.time);
@@ -126,8 +126,9 @@ class Search {
  private:
   static constexpr double gap = 1e-7;
 
-  [[nodiscard]] double size(double t) {
-    const double here = std::abs(motion_.propagator().force(t));
+  [[nodiscard]] double size(double t) { return size(t, motion_.propagator().force(t)); }
+  [[nodiscard]] double size(double t, double force) {
+    const double here = std::abs(force);
     if (here > lower_) {
       lower_ = here;
       result_.time = t;
@@ -151,12 +152,12 @@ class Search {
   }
 
   // Of the bands, in the piece; its end is the begin of the next one.
-  void take_instants(double begin, double end) {
+  void take_instants(double begin, double at_begin, double end) {
     const double count = std::ceil((end - begin) / bands_.spacing());
     bool has_peak = result_.time >= begin;
     for (double i = 0.0; i < count; i += 1.0) {
       const double time = begin + (end - begin) * i / count;
-      bands_.add(time, motion_.propagator().force(time));
+      bands_.add(time, i == 0.0 ? at_begin : motion_.propagator().force(time));
       if (has_peak && time + (end - begin) / count >= result_.time) {
         bands_.set_peak(result_.time);
         has_peak = false;

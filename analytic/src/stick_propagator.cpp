@@ -169,18 +169,22 @@ void StickPropagator::enter_piece() {
   force_series_[0] += dynamics_.held_stiffness() * position_ - model.contact_force;
   for (std::size_t k = 0; k < eigenvalue_.size(); ++k) {
     const Complex lambda = eigenvalue_[k];
+    const double turn = std::sqrt(std::norm(lambda)) * length;
     auto& series = series_[k];
     std::array<Complex, std::tuple_size_v<Polynomial>> load{};
     for (std::size_t j = 0; j < size; ++j) load[j] = sum(drive_rows_[k], j);
-    if (std::abs(lambda) * length < 1.0) {
-      terms_[k] = most_terms;
+    if (turn < 1.0) {
+      terms_[k] = 2;
+      for (double term = turn; term > kEpsilon && terms_[k] + size < most_terms; ++terms_[k])
+        term *= turn / static_cast<double>(terms_[k]);
+      terms_[k] += size;
       series[0] = initial_[k];
-      for (std::size_t j = 0; j + 1 < most_terms; ++j)
+      for (std::size_t j = 0; j + 1 < terms_[k]; ++j)
         series[j + 1] = (lambda * series[j] + (j < size ? load[j] : 0.0)) / static_cast<double>(j + 1);
       free_[k] = 0.0;
     } else {
       terms_[k] = size;
-      const Complex inverse = 1.0 / lambda;
+      const Complex inverse = std::conj(lambda) / std::norm(lambda);
       series[size - 1] = -load[size - 1] * inverse;
       for (std::size_t j = size - 1; j-- > 0;)
         series[j] = (static_cast<double>(j + 1) * series[j + 1] - load[j]) * inverse;
@@ -188,6 +192,8 @@ void StickPropagator::enter_piece() {
     }
     for (std::size_t j = 0; j < terms_[k]; ++j) force_series_[j] += (force_weight_[k] * series[j]).real();
   }
+  decays_.assign(free_.size(), 1.0);
+  decays_at_ = 0.0;
 }
 
 void StickPropagator::go_on(double t) {
@@ -227,13 +233,21 @@ std::vector<double> StickPropagator::force_terms(double t) const {
   return terms;
 }
 
+const std::vector<StickPropagator::Complex>& StickPropagator::decays(double tau) const {
+  if (tau != decays_at_)
+    for (std::size_t k = 0; k < free_.size(); ++k)
+      if (free_[k] != 0.0) decays_[k] = std::exp(eigenvalue_[k] * tau);
+  decays_at_ = tau;
+  return decays_;
+}
+
 StickPropagator::Complex StickPropagator::coordinate(std::size_t k, double t) const {
   const Complex i(0.0, 1.0), lambda = eigenvalue_[k];
   const double tau = t - begin_;
   if (dynamics_.model().drive) {
     Complex result = 0.0;
     for (std::size_t j = terms_[k]; j-- > 0;) result = result * tau + series_[k][j];
-    return free_[k] == 0.0 ? result : result + std::exp(lambda * tau) * free_[k];
+    return free_[k] == 0.0 ? result : result + decays(tau)[k] * free_[k];
   }
   const Complex decay = std::exp(lambda * tau), turned = std::exp(i * omega_ * tau);
   Complex free = decay * initial_[k];
@@ -270,8 +284,9 @@ double StickPropagator::force(double t) const {
     const double tau = t - begin_;
     double force = 0.0;
     for (std::size_t j = most_terms; j-- > 0;) force = force * tau + force_series_[j];
+    const auto& decay = decays(tau);
     for (std::size_t k = 0; k < free_.size(); ++k)
-      if (free_[k] != 0.0) force += (force_weight_[k] * free_[k] * std::exp(eigenvalue_[k] * tau)).real();
+      if (free_[k] != 0.0) force += (force_weight_[k] * free_[k] * decay[k]).real();
     return force;
   }
   double force = dynamics_.held_stiffness() * position_ - dynamics_.model().contact_force +
@@ -286,9 +301,9 @@ double StickPropagator::force_rate(double t) const {
     const double tau = t - begin_;
     double rate = 0.0;
     for (std::size_t j = most_terms; j-- > 1;) rate = rate * tau + static_cast<double>(j) * force_series_[j];
+    const auto& decay = decays(tau);
     for (std::size_t k = 0; k < free_.size(); ++k)
-      if (free_[k] != 0.0)
-        rate += (force_weight_[k] * eigenvalue_[k] * free_[k] * std::exp(eigenvalue_[k] * tau)).real();
+      if (free_[k] != 0.0) rate += (force_weight_[k] * eigenvalue_[k] * free_[k] * decay[k]).real();
     return rate;
   }
   double rate =

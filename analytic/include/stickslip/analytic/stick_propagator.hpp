@@ -69,6 +69,8 @@ class StickPropagator {
   void set_drive();
   void enter_piece();
   [[nodiscard]] Complex coordinate(std::size_t k, double t) const;
+  /// exp(λ_k tau) of each free_ that is not 0; an instant is often asked for more than once.
+  [[nodiscard]] const std::vector<Complex>& decays(double tau) const;
   [[nodiscard]] Complex forcing(std::size_t k, double t) const;
 
   const ContactDynamics& dynamics_;
@@ -93,7 +95,9 @@ class StickPropagator {
   std::vector<std::array<Complex, most_terms>> series_;  // q or the Taylor series of z_k, in t - begin_
   std::vector<std::size_t> terms_;                       // of them
   std::vector<Complex> free_;                            // z_k(t0) - q(0)
-  std::array<double, most_terms> force_series_{};        // what f_d has besides them
+  mutable std::vector<Complex> decays_;                  // see decays(); of one instant after the begin
+  mutable double decays_at_{};
+  std::array<double, most_terms> force_series_{};  // what f_d has besides them
 
   double begin_{};
   double position_{};  // u_c - w
