@@ -11,8 +11,8 @@
 #include <string>
 
 #include "arguments.hpp"
-#include "fourier_transform.hpp"
 #include "friction_in_slip.hpp"
+#include "stickslip/data/fourier_transform.hpp"
 
 namespace stickslip::analytic {
 namespace {
@@ -115,7 +115,7 @@ std::vector<double> mobility_weights(const Mobility& mobility, double time_step,
   // at least twice the count both are eps^(2/3) at r^count = eps^(1/3).
   const std::size_t n = std::bit_ceil(2 * count);
   const double radius = std::pow(epsilon, 1.0 / (3.0 * static_cast<double>(count)));
-  FourierTransform transform(n);
+  data::FourierTransform transform(n);
   const auto spectrum = transform.spectrum();
   for (std::size_t k = 0; k < spectrum.size(); ++k) {
     const double angle = 2.0 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(n);
@@ -256,11 +256,11 @@ class OnlineConvolution {
 
   struct Level {
     std::size_t size;
-    std::unique_ptr<FourierTransform> transform;
+    std::unique_ptr<data::FourierTransform> transform;
     std::vector<Complex> kernel;  // of weights 0 ... 2 size - 1
 
     Level(const std::vector<double>& weights, std::size_t values)
-        : size(values), transform(std::make_unique<FourierTransform>(2 * values)) {
+        : size(values), transform(std::make_unique<data::FourierTransform>(2 * values)) {
       const auto input = transform->values();
       std::ranges::fill(input, 0.0);
       std::copy_n(weights.begin(), std::min(weights.size(), input.size()), input.begin());
@@ -293,8 +293,8 @@ class OnlineConvolution {
 }  // namespace
 
 std::vector<double> convolution(const std::vector<double>& weights, const std::vector<double>& x) {
-  FourierTransform kernel(std::bit_ceil(2 * x.size())), data(std::bit_ceil(2 * x.size()));
-  const auto padded = [&](FourierTransform& transform, const std::vector<double>& source) {
+  data::FourierTransform kernel(std::bit_ceil(2 * x.size())), data(std::bit_ceil(2 * x.size()));
+  const auto padded = [&](data::FourierTransform& transform, const std::vector<double>& source) {
     std::ranges::fill(transform.values(), 0.0);
     std::copy_n(source.begin(), x.size(), transform.values().begin());
     transform.forward();

@@ -12,6 +12,7 @@
 #include "beam_constants.hpp"
 #include "stickslip/analytic/damped_steady_state.hpp"
 #include "stickslip/analytic/held_motion.hpp"
+#include "stickslip/analytic/random_reaction.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/analytic/stick_response.hpp"
 #include "stickslip/analytic/timoshenko_modes.hpp"
@@ -36,6 +37,17 @@ ModalReaction undamped_reaction(const data::Case& problem);
 // The case whose forces are those of StickReaction.
 data::Case of_unit_load(const data::Case& problem) {
   return is_proportional_to_scale(problem) ? with(problem, problem.general_motion()->scaled(1.0)) : problem;
+}
+
+// Of a general motion, with what modes left out can change if it is asked for and known.
+Bounds of_motion(const data::Case& problem, int modes, bool with_omitted) {
+  const data::Case unit = of_unit_load(problem);
+  if (random_drive(unit).moves()) {
+    const double even = random_reaction(unit, modes).exceeded_with(0.5, unit.numerics.duration());
+    return {even, even};
+  }
+  const MotionReaction found = motion_reaction(unit, modes);
+  return with_omitted ? found.largest() : found.of_modes;
 }
 
 // Any but an undamped beam on a wall at rest.
@@ -95,7 +107,7 @@ StickReaction::StickReaction(const data::Case& problem, ModalReaction reaction)
 StickReaction::Kept StickReaction::kept_of(const data::Case& problem) {
   Kept kept;
   if (problem.has(data::Feature::general_motion)) {
-    kept.of_motion = motion_reaction(of_unit_load(problem), problem.numerics.modes()).of_modes;
+    kept.of_motion = of_motion(problem, problem.numerics.modes(), false);
     return kept;
   }
   // Eq. (28) is that of a beam on a wall at rest.
@@ -110,7 +122,7 @@ StickReaction::Kept StickReaction::kept_of(const data::Case& problem) {
 StickReaction::Kept StickReaction::kept_of(const data::Case& problem, int modes) {
   Kept kept;
   if (problem.has(data::Feature::general_motion)) {
-    kept.of_motion = motion_reaction(of_unit_load(problem), modes).largest();
+    kept.of_motion = of_motion(problem, modes, true);
   } else if (needs_held_structure(problem)) {
     const HeldStructure structure = held_structure(problem, modes);
     kept.damped = damped_reaction(structure, SteadyPart::exact);

@@ -172,7 +172,8 @@ std::string alternative_to(const Key& key) {
   if (key.name() == "density" || key.name() == "youngs_modulus") return " or beam.material";
   if (key.path == "excitation.amplitude")
     return " or excitation.velocity_amplitude or excitation.acceleration_amplitude";
-  if (key.path == "excitation.frequency_hz") return " or one of excitation.sines, sweep, shock and file";
+  if (key.path == "excitation.frequency_hz")
+    return " or one of excitation.sines, sweep, shock, file and spectrum";
   if (key.path == "beam.length") return " or the table [model] in place of [beam]";
   if (key.path == "model.mass") return " or model.mass_matrix";
   return "";

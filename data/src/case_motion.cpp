@@ -16,9 +16,21 @@ namespace stickslip::data {
 
 namespace {
 
-constexpr std::array<std::string_view, 4> statements{"sines", "sweep", "shock", "file"};
-constexpr std::array<std::string_view, 7> of_records{
-    "column", "quantity", "unit", "rate", "high_pass", "initial_displacement", "initial_velocity"};
+constexpr std::array<std::string_view, 5> statements{"sines", "sweep", "shock", "file", "spectrum"};
+
+// Keys that are for a record, a spectrum or both.
+struct DetailKey {
+  std::string_view name;
+  bool of_record{}, of_spectrum{};
+};
+constexpr std::array details{DetailKey{"column", true, true},
+                             DetailKey{"quantity", true, false},
+                             DetailKey{"unit", true, true},
+                             DetailKey{"rate", true, false},
+                             DetailKey{"high_pass", true, false},
+                             DetailKey{"initial_displacement", true, false},
+                             DetailKey{"initial_velocity", true, false},
+                             DetailKey{"seed", false, true}};
 
 // Reads the keys of one table.
 class MotionReader {
@@ -37,6 +49,7 @@ class MotionReader {
     if (const Entry* sweep = find("sweep")) return made(sweep_in(*sweep));
     if (const Entry* shock = find("shock")) return made(shock_in(*shock));
     if (const Entry* file = find("file")) return made(record_in(*file));
+    if (const Entry* spectrum = find("spectrum")) return made(spectrum_in(*spectrum));
     return std::nullopt;
   }
 
@@ -58,13 +71,14 @@ class MotionReader {
 
   void require_one() const {
     std::string_view first;
-    for (const std::string_view name : {"frequency_hz", "sines", "sweep", "shock", "file"}) {
+    for (const std::string_view name : {"frequency_hz", "sines", "sweep", "shock", "file", "spectrum"}) {
       if (find(name) == nullptr) continue;
       if (!first.empty()) refuse(name, "left out where " + key(first) + " is given");
       first = name;
     }
-    for (const std::string_view name : of_records)
-      if (find(name) != nullptr && first != "file") refuse(name, "left out without " + key("file"));
+    for (const auto& [name, of_record, of_spectrum] : details)
+      if (find(name) != nullptr && !(of_record && first == "file") && !(of_spectrum && first == "spectrum"))
+        refuse(name, "left out without " + (of_record ? key("file") : key("spectrum")));
     const bool takes_amplitude =
         first == "sweep" || first == "shock" || (table_ == "excitation" && first.empty());
     for (const std::string_view path : amplitude_keys)
@@ -205,6 +219,41 @@ class MotionReader {
     record.initial_velocity = number("initial_velocity");
     return record;
   }
+
+  // The points of a list, [[5, 0.01], [20, 0.02]], or of a file.
+  [[nodiscard]] PowerSpectrum spectrum_in(const Entry& entry) const {
+    if (find("unit") == nullptr)
+      throw FieldError(key("unit"), "missing", "given where " + key("spectrum") + " is, as \"g^2/Hz\"");
+    PowerSpectrum spectrum = read_spectrum_unit(table_, text_of("unit", *find("unit")));
+    if (const Entry* seed = find("seed")) {
+      const int stated = integer_of(key("seed"), *seed);
+      if (stated < 0) refuse("seed", "an integer of 0 or more");
+      spectrum.seed = static_cast<std::uint64_t>(stated);
+    }
+    if (const auto* list = std::get_if<toml::array>(&entry.value)) {
+      if (find("column") != nullptr) refuse("column", "left out where " + key("spectrum") + " is a list");
+      for (const toml::node& node : *list) {
+        const auto point = numbers_of(key("spectrum"), {}, entry_of(node, entry.place));
+        if (point.size() != 2) refuse("spectrum", spectrum_allowed);
+        spectrum.points.push_back({point[0], point[1] * spectrum.to_si});
+      }
+      return spectrum;
+    }
+    if (!std::holds_alternative<std::string>(entry.value)) refuse("spectrum", spectrum_allowed);
+    const std::string name = text_of("spectrum", entry);
+    if (!is_inside(name)) refuse("spectrum", "a file in the folder of the case or below, without \"..\"");
+    spectrum.file = name;
+    std::optional<std::string> column;
+    if (const Entry* of = find("column")) column = text_of("column", *of);
+    if (reads_files_)
+      read_spectrum(case_file_.parent_path() / name, table_, column, spectrum);
+    else
+      spectrum.points = {{1.0, 1e-30}, {2.0, 1e-30}};
+    return spectrum;
+  }
+
+  static constexpr const char* spectrum_allowed =
+      "a file, or points of frequency and density, as [[5, 0.01], [20, 0.02], [200, 0.0005]]";
 
   std::string table_;
   const std::filesystem::path& case_file_;

@@ -271,6 +271,8 @@ std::unique_ptr<MotionShape> shape_of(GeneralMotion::Statement statement, double
                                       std::string_view table) {
   if (auto* record = std::get_if<MotionRecord>(&statement)) return recorded_motion(std::move(*record), table);
   require(duration > 0.0, "excitation.duration", duration, "above 0 (s)");
+  if (auto* spectrum = std::get_if<PowerSpectrum>(&statement))
+    return random_motion(std::move(*spectrum), duration, table);
   if (const auto* sines = std::get_if<std::vector<Sine>>(&statement))
     return std::make_unique<SinesShape>(*sines, duration, table);
   if (const auto* sweep = std::get_if<Sweep>(&statement))
@@ -282,6 +284,7 @@ AmplitudeOf quantity_of(const GeneralMotion::Statement& statement) {
   if (const auto* sines = std::get_if<std::vector<Sine>>(&statement)) return sines->front().amplitude_of;
   if (const auto* sweep = std::get_if<Sweep>(&statement)) return sweep->amplitude_of;
   if (const auto* shock = std::get_if<Shock>(&statement)) return shock->amplitude_of;
+  if (const auto* spectrum = std::get_if<PowerSpectrum>(&statement)) return spectrum->quantity;
   return std::get<MotionRecord>(statement).quantity;
 }
 
@@ -348,7 +351,7 @@ bool GeneralMotion::is_force() const noexcept { return quantity_of(statement()) 
 const GeneralMotion::Statement& GeneralMotion::statement() const noexcept { return shape_->statement; }
 
 std::string GeneralMotion::key() const {
-  constexpr std::array names{"sines", "sweep", "shock", "file"};
+  constexpr std::array names{"sines", "sweep", "shock", "file", "spectrum"};
   return key_in(shape_->table_name, names.at(statement().index()));
 }
 

@@ -52,5 +52,7 @@ class MotionShape {
 
 /// Throws FieldError.
 [[nodiscard]] std::unique_ptr<MotionShape> recorded_motion(MotionRecord record, std::string_view table);
+[[nodiscard]] std::unique_ptr<MotionShape> random_motion(PowerSpectrum spectrum, double duration,
+                                                         std::string_view table);
 
 }  // namespace stickslip::data

@@ -320,10 +320,12 @@ std::span<const FeatureKey> feature_keys() {
       general_motion<false, 1>("excitation.sweep"),
       general_motion<false, 2>("excitation.shock"),
       general_motion<false, 3>("excitation.file"),
+      general_motion<false, 4>("excitation.spectrum"),
       general_motion<true, 0>("wall.sines"),
       general_motion<true, 1>("wall.sweep"),
       general_motion<true, 2>("wall.shock"),
-      general_motion<true, 3>("wall.file")};
+      general_motion<true, 3>("wall.file"),
+      general_motion<true, 4>("wall.spectrum")};
   return keys;
 }
 

@@ -152,4 +152,62 @@ MotionRecord read_record(const std::filesystem::path& file, const RecordKeys& ke
   return RecordReader(file, keys).read();
 }
 
+PowerSpectrum read_spectrum_unit(const std::string& table, const std::string& unit) {
+  const std::string allowed =
+      "that of a density, as \"g^2/Hz\", \"(m/s^2)^2/Hz\", \"(m/s)^2/Hz\", \"mm^2/Hz\" or \"N^2/Hz\"";
+  constexpr std::string_view end = "^2/Hz";
+  std::string_view inner = unit;
+  if (!inner.ends_with(end)) throw FieldError(key_in(table, "unit"), printable(unit), allowed);
+  inner.remove_suffix(end.size());
+  if (inner.starts_with('(') && inner.ends_with(')')) inner = inner.substr(1, inner.size() - 2);
+  const auto known = unit_named(inner);  // of g that of an acceleration
+  const auto quantity = known ? std::ranges::find(si_units, known->si) : si_units.end();
+  if (quantity == si_units.end()) throw FieldError(key_in(table, "unit"), printable(unit), allowed);
+  const double one = known->to_si(1.0);
+  PowerSpectrum spectrum;
+  spectrum.quantity = static_cast<AmplitudeOf>(std::distance(si_units.begin(), quantity));
+  spectrum.unit = unit;
+  spectrum.to_si = one * one;
+  return spectrum;
+}
+
+void read_spectrum(const std::filesystem::path& file, const std::string& table,
+                   const std::optional<std::string>& column, PowerSpectrum& spectrum) {
+  const std::string text = read_table_text(file);
+  spectrum.sha256 = sha256(text);
+  CsvReader csv(file, text);
+  std::optional<std::size_t> frequency, density;
+  std::string unit = "Hz";
+  for (std::size_t i = 0; i < csv.names().size(); ++i) {
+    auto header = header_named(csv.names()[i], "f");
+    if (!header) header = header_named(csv.names()[i], "frequency");
+    if (header && !frequency) {
+      frequency = i;
+      unit = header->unit.value_or(unit);
+    } else if (column ? header_named(csv.names()[i], *column).has_value() : csv.names().size() == 2) {
+      density = i;
+    }
+  }
+  if (!frequency)
+    throw InputError(csv.place(csv.line_of_names()) +
+                     ": the column f or frequency is missing; the file has " + joined(csv.names()));
+  if (!density)
+    throw FieldError(key_in(table, "column"), column ? printable(*column) : "missing",
+                     "one of the columns of " + file.filename().string() + ", " + joined(csv.names()));
+  const auto hertz = unit_named(unit);
+  if (!hertz || hertz->si != "Hz")
+    throw InputError(csv.place(csv.line_of_names(), *frequency) + ": the unit is " + printable(unit) +
+                     ", but must be one of frequency, as Hz");
+  while (const auto cells = csv.next_row()) {
+    const auto number = [&](std::size_t at) {
+      const auto value = csv.number(cells->at(at));
+      if (!value || !std::isfinite(*value))
+        throw InputError(csv.place(csv.line(), at) + ": the cell is '" + printable(cells->at(at)) +
+                         "', but must be a finite number");
+      return *value;
+    };
+    spectrum.points.push_back({hertz->to_si(number(*frequency)), number(*density) * spectrum.to_si});
+  }
+}
+
 }  // namespace stickslip::data

@@ -24,4 +24,12 @@ struct RecordKeys {
 /// a rate besides a column of time.
 [[nodiscard]] MotionRecord read_record(const std::filesystem::path& file, const RecordKeys& keys);
 
+/// A spectrum without points in this unit of its density, as "g^2/Hz" or "(m/s^2)^2/Hz". Throws FieldError, naming the key of `table`.
+[[nodiscard]] PowerSpectrum read_spectrum_unit(const std::string& table, const std::string& unit);
+
+/// Adds the points of a file: a column f or frequency, Hz unless it says another unit, and the column that is named or the only other
+/// one. Throws InputError or FieldError as read_record().
+void read_spectrum(const std::filesystem::path& file, const std::string& table,
+                   const std::optional<std::string>& column, PowerSpectrum& spectrum);
+
 }  // namespace stickslip::data

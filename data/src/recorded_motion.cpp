@@ -7,6 +7,7 @@
 #include <span>
 
 #include "motion_shape.hpp"
+#include "stickslip/data/fourier_transform.hpp"
 #include "stickslip/data/input_error.hpp"
 
 namespace stickslip::data {
@@ -59,42 +60,21 @@ std::array<double, 4> cubic(const Knots& knots, const std::vector<double>& momen
           0.5 * moments[i], (moments[i + 1] - moments[i]) / (6.0 * length)};
 }
 
-// The transform by halves (Cooley and Tukey), in place; the size is a power of two.
-void transform(std::span<std::complex<double>> values) {
-  const std::size_t n = values.size();
-  for (std::size_t i = 1, j = 0; i < n; ++i) {
-    std::size_t bit = n / 2;
-    for (; (j & bit) != 0; bit /= 2) j ^= bit;
-    j |= bit;
-    if (i < j) std::swap(values[i], values[j]);
-  }
-  std::vector<std::complex<double>> root(n / 2);
-  for (std::size_t k = 0; k < n / 2; ++k)
-    root[k] = std::polar(1.0, -2.0 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(n));
-  for (std::size_t half = 1; half < n; half *= 2)
-    for (std::size_t begin = 0; begin < n; begin += 2 * half)
-      for (std::size_t k = 0; k < half; ++k) {
-        const auto odd = values[begin + half + k] * root[k * (n / (2 * half))];
-        values[begin + half + k] = values[begin + k] - odd;
-        values[begin + k] += odd;
-      }
-}
-
 // The power at the frequencies from 0 to half the rate, by Hann windows that overlap by half (Welch).
 std::vector<double> power_of(std::size_t count, const std::function<double(std::size_t)>& value) {
   const std::size_t n = std::min(std::bit_floor(count), std::size_t{1} << 16U);
   std::vector<double> power(n / 2 + 1);
-  std::vector<std::complex<double>> window(n);
+  FourierTransform transform(n);
+  const auto window = transform.values();
   const auto add = [&](std::size_t begin) {
     double mean = 0.0;
-    for (std::size_t i = 0; i < n; ++i)
-      mean += (window[i] = value(begin + i)).real() / static_cast<double>(n);
+    for (std::size_t i = 0; i < n; ++i) mean += (window[i] = value(begin + i)) / static_cast<double>(n);
     for (std::size_t i = 0; i < n; ++i)
       window[i] =
           (window[i] - mean) * (0.5 - 0.5 * std::cos(2.0 * std::numbers::pi * (static_cast<double>(i) + 0.5) /
                                                      static_cast<double>(n)));
-    transform(window);
-    for (std::size_t k = 0; k < power.size(); ++k) power[k] += std::norm(window[k]);
+    transform.forward();
+    for (std::size_t k = 0; k < power.size(); ++k) power[k] += std::norm(transform.spectrum()[k]);
   };
   for (std::size_t begin = 0; begin + n < count; begin += n / 2) add(begin);
   add(count - n);

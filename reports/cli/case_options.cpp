@@ -194,6 +194,9 @@ std::string text_of(const data::GeneralMotion& motion) {
       return fmt::format("a sweep from {} to {} Hz", text(of.from_hz), text(of.to_hz));
     else if constexpr (std::is_same_v<Type, data::Shock>)
       return fmt::format("a shock of {} s", text(of.duration));
+    else if constexpr (std::is_same_v<Type, data::PowerSpectrum>)
+      return fmt::format("a random motion from {} to {} Hz, seed {}", text(of.points.front().frequency_hz),
+                         text(of.points.back().frequency_hz), of.seed);
     else
       return fmt::format("the record {} of {} rows, up to {:.4g} Hz", of.file, of.samples.size(),
                          motion.highest_frequency_hz());
@@ -328,6 +331,18 @@ Json json_of(const data::MotionRecord& record) {
                                     {"initial_displacement", record.initial_displacement},
                                     {"initial_velocity", record.initial_velocity}})
     if (value) json[name] = *value;
+  return json;
+}
+
+Json json_of(const data::PowerSpectrum& spectrum) {
+  Json points = Json::array();
+  for (const auto& [hz, density] : spectrum.points) points.push_back({hz, density});
+  Json json{{"kind", "spectrum"},
+            {"density_of", name_of(spectrum.quantity)},
+            {"density_si", points},
+            {"unit", spectrum.unit},
+            {"seed", spectrum.seed}};
+  if (!spectrum.file.empty()) json.update({{"file", spectrum.file}, {"sha256", spectrum.sha256}});
   return json;
 }
 

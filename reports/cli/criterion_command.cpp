@@ -13,9 +13,11 @@
 #include "commands.hpp"
 #include "render/criterion_map.hpp"
 #include "stickslip/analytic/held_motion.hpp"
+#include "stickslip/analytic/random_reaction.hpp"
 #include "stickslip/analytic/stick_reaction.hpp"
 #include "studies/analyses/criterion_answer.hpp"
 #include "studies/analyses/problem_warnings.hpp"
+#include "studies/analyses/random_slip.hpp"
 #include "studies/common/problem_parameter.hpp"
 
 namespace stickslip::cli {
@@ -23,6 +25,7 @@ namespace stickslip::cli {
 namespace {
 
 struct CriterionOptions {
+  std::size_t samples{};
   CaseOptions problem;
   std::vector<std::string> more;
   std::string plan, output, figure;
@@ -89,6 +92,14 @@ void add_steady_state(Answer& answer, const std::optional<studies::SteadyState>&
                         {"verdict", to_string(steady->verdict)}}}});
 }
 
+void add_best_change(Answer& answer, const std::optional<studies::Change>& best, const std::string& where) {
+  if (!best) return answer.add_members({{"best_change", nullptr}});
+  answer.add_row({"best change by a tenth",
+                  "best_change",
+                  {change_json(best), fmt::format("{} times {}: margin {:.4g}{}", best->key, best->factor,
+                                                  best->margin, where)}});
+}
+
 void add_outlook(Answer& answer, const studies::CriterionAnswer& found, double frequency_hz) {
   if (!found.nearest) answer.add_members({{"nearest_natural_frequency", nullptr}});
   const auto [mode, hz, distance] = found.nearest.value_or(studies::StickFrequency{});
@@ -100,13 +111,8 @@ void add_outlook(Answer& answer, const studies::CriterionAnswer& found, double f
                      fmt::format("{} (mode {}), {} % {}", rounded(hz, 7).text, mode,
                                  share < 99.5 ? fmt::format("{:.2g}", share) : fmt::format("{:.0f}", share),
                                  distance < 0.0 ? "below" : "above")}});
-  const auto& best = found.best_change;
-  if (!best) return answer.add_members({{"best_change", nullptr}});
-  answer.add_row({"best change by a tenth",
-                  "best_change",
-                  {change_json(best),
-                   fmt::format("{} times {}: margin {:.4g} at {} Hz only; over a band see design", best->key,
-                               best->factor, best->margin, data::shortest_text(frequency_hz))}});
+  add_best_change(answer, found.best_change,
+                  fmt::format(" at {} Hz only; over a band see design", data::shortest_text(frequency_hz)));
 }
 
 Answer answer_for_one(const data::Case& problem, const studies::CriterionAnswer& found) {
@@ -214,38 +220,36 @@ void add_interpolation(Answer& answer, const data::GeneralMotion& motion, double
                   {share, fmt::format("may change its acceleration by {:.2g} %", 100.0 * share)}});
 }
 
-// The three held modes with the largest shares, and what follows base and wall at once.
-void add_shares(Answer& answer, const analytic::MotionReaction& found) {
-  const double largest = found.of_modes.midpoint();
-  std::vector<std::size_t> order(found.shares.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::ranges::stable_sort(order, std::greater(), [&](std::size_t n) { return std::abs(found.shares[n]); });
-  Json shares = Json::array();
+// The three largest of some shares of 1.
+std::string largest_shares(std::vector<std::pair<std::string, double>> shares) {
+  std::ranges::stable_sort(shares, std::greater(), [](const auto& share) { return std::abs(share.second); });
   std::string text;
-  for (const double share : found.shares) shares.push_back(share);
-  for (std::size_t i = 0; i < std::min<std::size_t>(3, order.size()); ++i)
-    text += fmt::format("{}mode {}: {:.0f} %", i == 0 ? "" : ", ", order[i] + 1,
-                        100.0 * found.shares[order[i]] / largest);
-  answer.add_row({"shares in it", "mode_shares_N", {shares, text}});
+  for (std::size_t i = 0; i < std::min<std::size_t>(3, shares.size()); ++i)
+    text += fmt::format("{}{}: {:.0f} %", i == 0 ? "" : ", ", shares[i].first, 100.0 * shares[i].second);
+  return text;
 }
 
-// The three bands with the largest shares.
-void add_bands(Answer& answer, const analytic::MotionReaction& found) {
-  const auto hz = [](double edge) { return std::isfinite(edge) ? Json(edge) : Json(); };
+// Of held modes, whose members are shares times `whole`.
+void add_shares(Answer& answer, const std::vector<double>& shares, std::string_view member,
+                double whole = 1.0) {
+  std::vector<std::pair<std::string, double>> named;
+  for (const double share : shares)
+    named.emplace_back(fmt::format("mode {}", named.size() + 1), share / whole);
+  answer.add_row({"shares in it", std::string(member), {shares, largest_shares(std::move(named))}});
+}
+
+// Of bands, likewise.
+void add_bands(Answer& answer, const std::vector<analytic::BandShare>& found, double whole) {
   Json bands = Json::array();
-  for (const auto& [from, to, force] : found.bands)
-    bands.push_back({{"from_hz", from}, {"to_hz", hz(to)}, {"force_N", force}});
-  auto largest = found.bands;
-  std::ranges::stable_sort(largest, std::greater(), [](const auto& band) { return std::abs(band.force); });
-  std::string text;
-  for (std::size_t i = 0; i < std::min<std::size_t>(3, largest.size()); ++i) {
-    const auto& [from, to, force] = largest[i];
-    text += fmt::format(
-        "{}{}: {:.0f} %", i == 0 ? "" : ", ",
-        std::isfinite(to) ? fmt::format("{:g} to {:g} Hz", from, to) : fmt::format("above {:g} Hz", from),
-        100.0 * force / found.of_modes.midpoint());
+  std::vector<std::pair<std::string, double>> named;
+  for (const auto& [from, to, force] : found) {
+    const bool has_end = std::isfinite(to);
+    bands.push_back({{"from_hz", from}, {"to_hz", has_end ? Json(to) : Json()}, {"share", force / whole}});
+    named.emplace_back(
+        has_end ? fmt::format("{:g} to {:g} Hz", from, to) : fmt::format("above {:g} Hz", from),
+        force / whole);
   }
-  answer.add_row({"bands in it", "band_shares", {bands, text}});
+  answer.add_row({"bands in it", "band_shares", {bands, largest_shares(std::move(named))}});
 }
 
 Answer answer_for_motion(const data::Case& problem, const analytic::MotionReaction& found) {
@@ -272,8 +276,9 @@ Answer answer_for_motion(const data::Case& problem, const analytic::MotionReacti
   answer.add_row({"modes left out / N",
                   "omitted_force_N",
                   {found.omitted, fmt::format("change it by {:.2g} at most", found.omitted)}});
-  if (!found.shares.empty() && largest.upper > 0.0) add_shares(answer, found);
-  if (!found.bands.empty()) add_bands(answer, found);
+  if (!found.shares.empty() && largest.upper > 0.0)
+    add_shares(answer, found.shares, "mode_shares_N", found.of_modes.midpoint());
+  if (!found.bands.empty()) add_bands(answer, found.bands, found.of_modes.midpoint());
   if (const auto* base = problem.general_motion())
     add_interpolation(answer, *base, found.largest_acceleration);
   return answer;
@@ -293,11 +298,77 @@ Answer criterion_of_motion(const data::Case& problem, const CriterionOptions& op
   return answer;
 }
 
+// The probability of slip, counted and by two laws.
+void add_probabilities(Answer& answer, const data::Case& problem, const studies::RandomSlip& found) {
+  const double limit = studies::friction_limit(problem), time = problem.numerics.duration();
+  const auto& reaction = found.reaction;
+  const auto percent = [](double share) { return fmt::format("{:.3g} %", 100.0 * share); };
+  const Value counted = estimated(found.probability, 5);
+  answer.add_row(
+      {"P(slip), counted",
+       "probability_counted",
+       {counted.json, fmt::format("{} ... {}: {} of {} realisations", percent(found.probability.lower),
+                                  percent(found.probability.upper), found.slips, found.samples)}});
+  for (const auto& [law, key, probability] :
+       {std::tuple("P(slip), Vanmarcke's law", "probability_vanmarcke", reaction.vanmarcke(limit, time)),
+        {"P(slip), Poisson's law", "probability_poisson", reaction.poisson(limit, time)}})
+    answer.add_row({law, key, {probability, percent(probability)}});
+  answer.add_members({{"samples", found.samples}, {"slips", found.slips}});
+  if (!analytic::is_proportional_to_scale(problem)) return;
+  constexpr double rare = 0.01;
+  const double scale = analytic::load(problem) * limit / reaction.exceeded_with(rare, time);
+  answer.add_row({"scale for 1 % of that", "critical_scale", {scale, significant(scale, 4)}});
+}
+
+Answer criterion_of_random_motion(const data::Case& problem, const CriterionOptions& options,
+                                  Outputs& outputs) {
+  if (!options.figure.empty())
+    throw data::FieldError("--figure", options.figure,
+                           "left out with a spectrum; respond --figure draws a realisation");
+  outputs.open({});
+  const auto found = studies::random_slip(problem, options.samples, std::ref(outputs.progress("")));
+  const auto& reaction = found.reaction;
+  const double limit = studies::friction_limit(problem), sigma = reaction.deviation,
+               largest = reaction.expected_largest(problem.numerics.duration());
+  Answer answer;
+  answer.add_members({{"duration_s", problem.numerics.duration()}, {"modes", problem.numerics.modes()}});
+  answer.add_line(conditions_of(problem) + ", with damping\n");
+  answer.add_row({"standard deviation of f / N", "deviation_N", {sigma, significant(sigma, 6)}});
+  answer.add_row({"with twice the modes",
+                  "deviation_with_twice_the_modes_N",
+                  {found.deviation_of_more_modes, significant(found.deviation_of_more_modes, 6)}});
+  answer.add_row({"friction limit mu_s P / N", "friction_limit_N", exact(limit)});
+  if (sigma > 0.0) {
+    answer.add_row(
+        {"limit over deviation", "limit_over_deviation", {limit / sigma, significant(limit / sigma, 4)}});
+    answer.add_row(
+        {"crossings of it / (1/s)",
+         "crossings_per_s",
+         {reaction.crossings(limit), fmt::format("{} (Rice)", significant(reaction.crossings(limit), 4))}});
+    answer.add_row({"expected largest |f| / N",
+                    "expected_largest_N",
+                    {largest, fmt::format("{} (Davenport)", significant(largest, 4))}});
+    add_shares(answer, reaction.mode_shares, "mode_shares");
+    add_bands(answer, reaction.bands, 1.0);
+  }
+  add_probabilities(answer, problem, found);
+  const double even = reaction.exceeded_with(0.5, problem.numerics.duration());
+  if (even > 0.0)
+    answer.add_row({"margin at even odds", "margin", {limit / even, significant(limit / even, 4)}});
+  add_best_change(answer, even > 0.0 ? studies::best_change(problem) : std::nullopt, "");
+  answer.warnings = sentences_of(studies::criterion_warnings(problem));
+  require_finite(answer.json);
+  return answer;
+}
+
 Answer criterion(const CriterionOptions& options, Outputs& outputs) {
   if (!options.more.empty() || !options.plan.empty() || !options.output.empty())
     return table_of_cases(options, outputs);
   const data::Case problem = case_of(options.problem);
   outputs.set_case(problem);
+  if (analytic::random_drive(problem).moves()) return criterion_of_random_motion(problem, options, outputs);
+  if (options.samples > 0)
+    throw data::FieldError("--samples", std::to_string(options.samples), "left out without a spectrum");
   if (problem.has(data::Feature::general_motion)) return criterion_of_motion(problem, options, outputs);
   outputs.open({{"--figure", options.figure}});
   const auto found = studies::criterion_answer(problem);
@@ -320,6 +391,8 @@ void add_options(CLI::App& command, CriterionOptions& options) {
   auto* output =
       add_file_option(command, "--output", options.output, "CSV file for the table, '-' for standard output");
   add_excitation_options(command, options.problem);
+  add_integer_option(command, "--samples", options.samples, 1, 1'000'000,
+                     "With a spectrum: realisations in which slip is counted (default: up to 1000)");
   add_figure_option(command, options.figure);
   command.get_option("--figure")->excludes(more)->excludes(plan)->excludes(output);
 }

@@ -142,6 +142,16 @@ std::optional<Change> best_change(
   return best.key.empty() ? std::nullopt : std::optional(best);
 }
 
+std::optional<Change> best_change(const data::Case& problem) {
+  return best_change(problem, [&](std::string_view key, double value) -> std::optional<double> {
+    try {
+      return margin_of(analytic::evaluate_criterion(restated(problem, {{key, value}}))).lower;
+    } catch (const data::InputError&) {  // no beam, or one without a stick state
+      return std::nullopt;
+    }
+  });
+}
+
 bool too_few_modes(const analytic::Criterion& truncated, const analytic::Criterion& all_modes) {
   constexpr double allowed = 0.05;
   return all_modes.force_max.upper > (1.0 + allowed) * truncated.force_max.lower ||
@@ -176,14 +186,7 @@ CriterionAnswer criterion_answer(const data::Case& problem) {
   answer.steady = steady_state(problem, answer.nearest);
   if (answer.bending && answer.steady) answer.steady_draw_back = steady_draw_back(problem);
   if (problem.excitation().amplitude() > 0.0 && !too_few_modes(answer.truncated, answer.all_modes))
-    answer.best_change =
-        best_change(problem, [&](std::string_view key, double value) -> std::optional<double> {
-          try {
-            return margin_of(analytic::evaluate_criterion(restated(problem, {{key, value}}))).lower;
-          } catch (const data::InputError&) {  // no beam, or one without a stick state
-            return std::nullopt;
-          }
-        });
+    answer.best_change = best_change(problem);
   return answer;
 }
 

@@ -62,6 +62,8 @@ struct CriterionAnswer {
 /// The criterion of a case with a rigid contact by all routes, and best_change() of the margin with numerics.modes, unless these are
 /// too_few_modes(). A changed case is restated(). Throws what evaluate_criterion() throws.
 [[nodiscard]] CriterionAnswer criterion_answer(const data::Case& problem);
+/// By the criterion with numerics.modes.
+[[nodiscard]] std::optional<Change> best_change(const data::Case& problem);
 
 /// CriterionAnswer::steady.
 [[nodiscard]] std::optional<SteadyState> steady_state(const data::Case& problem);

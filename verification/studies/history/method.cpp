@@ -32,7 +32,7 @@ const std::vector<std::pair<Feature, std::string_view>> features{
     {Feature::force, "`excitation.force`"},
     {Feature::constant_force, "`excitation.constant_force`"},
     {Feature::initial_state, "`[initial]`"},
-    {Feature::general_motion, "`sines`, `sweep`, `shock`, `file` (`[excitation]`, `[wall]`)"},
+    {Feature::general_motion, "`sines`, `sweep`, `shock`, `file`, `spectrum` (`[excitation]`, `[wall]`)"},
     {Feature::start_at_rest, "`--initial-velocity zero`"},
     {Feature::contact_scheme, "`--scheme`"}};
 

@@ -265,6 +265,40 @@ TEST_F(Answers, OfAMotionAreThoseOfItsHistory) {
   EXPECT_TRUE(holds(run_line("periodic road").errors, "excitation.file is given, but must be left out"));
 }
 
+// The deviation is proportional to the scale; what is counted lies below both laws; a change helps as it says; a map has the margin; a seed
+// and more samples change the count alone.
+TEST_F(Answers, OfASpectrumScaleAndAgree) {
+  const std::string half = "criterion rough-road --set excitation.scale=0.5 --samples 100";
+  const auto one = json("criterion rough-road --samples 100"), less = json(half),
+             other = json(half + " --set excitation.seed=500");
+  const double sigma = one["deviation_N"];
+  EXPECT_TRUE(within(less["deviation_N"].get<double>(), 0.5 * sigma, round_off(10, 1, sigma)));
+  EXPECT_EQ(other["deviation_N"], less["deviation_N"]);
+  EXPECT_EQ(one["samples"], 100);
+  const auto probability = [](const auto& of, const char* law) {
+    return of[fmt::format("probability_{}", law)].template get<double>();
+  };
+  EXPECT_LE(one["probability_counted"]["lower"].get<double>(), probability(one, "vanmarcke"));
+  EXPECT_LE(probability(one, "vanmarcke"), probability(one, "poisson"));
+  EXPECT_LT(probability(less, "poisson"), probability(one, "poisson"));
+  const auto& best = one["best_change"];
+  const std::string key = best["key"];
+  const double value = data::value_of(data::load_case("rough-road"), key) * best["factor"].get<double>(),
+               margin = one["margin"];
+  const auto changed =
+      json("criterion rough-road --samples 10 --set " + key + "=" + data::shortest_text(value));
+  EXPECT_TRUE(
+      within(changed["margin"].get<double>(), best["margin"].get<double>(), reference(1e-9, "rounding")));
+  EXPECT_GT(best["margin"].get<double>(), margin);
+  (void)json("map rough-road --x scale=1:2:2 --y friction=0.6:0.7:2 --output " + path("map.csv"));
+  auto columns = columns_of(contents("map.csv"));
+  EXPECT_TRUE(within(std::stod(columns["force_ratio"].at(0)), 1.0 / margin, reference(1e-9, "rounding")));
+  EXPECT_TRUE(holds(run_line("criterion rough-road --set damping.ratio=0").errors,
+                    "damping.ratio is 0, but must be above 0"));
+  EXPECT_TRUE(holds(run_line("criterion road --samples 5").errors,
+                    "--samples is 5, but must be left out without a spectrum"));
+}
+
 TEST_F(Answers, TellTheStructureThatIsNoBeam) {
   const data::Case rig = data::load_case("solid-cantilever"), mass = data::load_case("den-hartog");
   EXPECT_EQ(cli::case_line(rig),

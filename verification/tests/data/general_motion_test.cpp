@@ -302,6 +302,66 @@ TEST(Records, AreFilteredAsButterworthSays) {
   }
 }
 
+STICKSLIP_VERIFIES(RandomMotions, "P8");
+// Its lines are summed here; each piece goes on from the one before with three derivatives.
+TEST(RandomMotions, AreTheSumOfTheirLines) {
+  RandomNumbers numbers(641);
+  for (const auto kind :
+       {AmplitudeOf::displacement, AmplitudeOf::velocity, AmplitudeOf::acceleration, AmplitudeOf::force}) {
+    data::PowerSpectrum spectrum;
+    spectrum.points = {{3.0, 1e-2}, {10.0, 4e-2}, {numbers.uniform(20.0, 60.0), 1e-3}};
+    spectrum.quantity = kind;
+    spectrum.seed = static_cast<std::uint64_t>(numbers.whole(1, 100));
+    constexpr double duration = 2.0;
+    const GeneralMotion motion(spectrum, duration);
+    const auto lines = spectrum.lines(duration);
+    double variance = 0.0, size = 0.0;
+    for (const auto& line : lines) size += std::abs(line);
+    for (int i = 0; i < 200; ++i) {
+      const double t = numbers.uniform(0.0, duration);
+      double acceleration = 0.0, displacement = 0.0;
+      for (std::size_t k = 1; k < lines.size(); ++k) {
+        const double omega = 2.0 * pi * static_cast<double>(k) / duration;
+        const double line = (lines[k] * std::polar(1.0, omega * t)).real();
+        acceleration += line;
+        displacement -= line / (omega * omega);
+      }
+      const bool is_force = kind == AmplitudeOf::force;
+      EXPECT_NEAR(motion.acceleration(t), is_force ? -acceleration : acceleration,
+                  1.01 * motion.piece_error());
+      EXPECT_NEAR(motion.displacement(t), is_force ? 0.0 : displacement, 1e-7 * size / 400.0);
+      variance += acceleration * acceleration / 200.0;
+    }
+    EXPECT_GT(variance, 0.0);
+    EXPECT_LT(motion.piece_error(), 1e-5 * size);
+    if (kind == AmplitudeOf::force) continue;
+    for (std::size_t n = 0; n + 1 < motion.pieces(); n += 5) {
+      const auto [a, v, d] = end_of(motion.piece(n));
+      const MotionPiece next = motion.piece(n + 1);
+      EXPECT_NEAR(a, next.acceleration[0], 1e-9 * size);
+      EXPECT_NEAR(v, next.velocity, 1e-11 * size);
+      EXPECT_NEAR(d, next.displacement, 1e-12 * size);
+    }
+  }
+}
+
+// The mean square of the lines over many seeds: S/T each, so that 400 seeds of 100 lines know the sum to 0.5 %.
+TEST(RandomMotions, HaveTheDensityTheyState) {
+  data::PowerSpectrum spectrum;
+  spectrum.points = {{10.0, 2.0}, {60.0, 2.0}};
+  spectrum.quantity = AmplitudeOf::acceleration;
+  double sum = 0.0;
+  for (spectrum.seed = 1; spectrum.seed <= 400; ++spectrum.seed)
+    for (const auto& line : spectrum.lines(2.0)) sum += 0.5 * std::norm(line) / 400.0;
+  EXPECT_NEAR(sum, 100.0, 3.3 * 0.5);
+  EXPECT_DOUBLE_EQ(spectrum.density(30.0), 2.0);
+  EXPECT_EQ(spectrum.density(61.0), 0.0);
+  spectrum.points = {{10.0, 1.0}, {40.0, 16.0}};  // straight on logarithmic axes
+  EXPECT_NEAR(spectrum.density(20.0), 4.0, 1e-12);
+  spectrum.quantity = AmplitudeOf::displacement;
+  EXPECT_NEAR(spectrum.density(20.0), 4.0 * std::pow(40.0 * pi, 4), 1e-3);
+}
+
 const std::string
     head = "[model]\nmass = 2\nstiffness = 100\nnormal_force = 3\n[friction]\nstatic_coefficient = 0.5\n",
     record_keys = "file = 'r.csv'\ncolumn = 'az'\nquantity = 'acceleration'\n";
@@ -362,6 +422,30 @@ TEST_F(MotionFile, StatesEveryKindOfMotion) {
   EXPECT_EQ(shock.general_motion()->pieces(), 2u);
 }
 
+TEST_F(MotionFile, ReadsASpectrum) {
+  const std::string keys = "unit = 'g^2/Hz'\nseed = 7\nduration = 2\nscale = 3\n";
+  (void)folder_.write("psd.csv", "f [kHz],ASD,other\n0.005,0.01,1\n0.02,0.02,1\n0.2,0.0005,1\n");
+  const data::Case listed = read("[excitation]\nspectrum = [[5, 0.01], [20, 0.02], [200, 0.0005]]\n" + keys),
+                   filed = read("[excitation]\nspectrum = 'psd.csv'\ncolumn = 'ASD'\n" + keys);
+  for (const data::Case* problem : {&listed, &filed}) {
+    const auto& spectrum = std::get<data::PowerSpectrum>(problem->general_motion()->statement());
+    EXPECT_EQ(spectrum.seed, 7U);
+    EXPECT_NEAR(spectrum.density(20.0), 0.02 * 9.80665 * 9.80665, 1e-12);
+    EXPECT_EQ(data::highest_frequency_hz(*problem), 200.0);
+    EXPECT_EQ(problem->general_motion()->scale(), 3.0);
+  }
+  EXPECT_EQ(listed.general_motion()->acceleration(0.7), filed.general_motion()->acceleration(0.7));
+  EXPECT_NE(read("[excitation]\nspectrum = 'psd.csv'\ncolumn = 'ASD'\n" + keys, {{"excitation.seed", "8"}})
+                .general_motion()
+                ->acceleration(0.7),
+            filed.general_motion()->acceleration(0.7));
+  const data::Case both = read(
+      "[excitation]\nspectrum = [[5, 1], [9, 1]]\nunit = '(mm/s)^2/Hz'\n[wall]\nspectrum = "
+      "[[5, 1], [9, 1]]\nunit = 'm^2/Hz'\n");
+  EXPECT_NEAR(std::get<data::PowerSpectrum>(both.general_motion()->statement()).to_si, 1e-6, 1e-21);
+  EXPECT_NE(both.general_motion()->displacement(0.1), both.contact.wall_motion->displacement(0.1));
+}
+
 TEST_F(MotionFile, ReadsARecord) {
   write_record();
   const data::Case problem = read("[excitation]\n" + record_keys + "high_pass = '1 Hz'\n");
@@ -396,7 +480,8 @@ TEST_F(MotionFile, RefusesInOneSentence) {
   const std::string sine = "frequency_hz = 20\n", sines = "sines = [[20, 1e-3]]\n",
                     sweep = "sweep = { from = 5, to = 50, rate = '1 oct/min' }\n",
                     shock = "shock = { shape = 'half-sine', duration = 0.01 }\n",
-                    amplitude = "amplitude = 1e-3\n", record = record_keys + "high_pass = 1\n";
+                    amplitude = "amplitude = 1e-3\n", record = record_keys + "high_pass = 1\n",
+                    spectrum = "spectrum = [[5, 1], [9, 1]]\nunit = 'g^2/Hz'\n";
   for (const auto& [keys, sentence] : std::vector<std::pair<std::string, std::string>>{
            {amplitude,
             "excitation.frequency_hz is missing, but a case must hold it or one of excitation.sines, sweep"},
@@ -435,7 +520,30 @@ TEST_F(MotionFile, RefusesInOneSentence) {
            {sine + amplitude + "[wall]\nscale = 2.0\n",
             "wall.scale is 2, but must be left out without a motion of the wall"},
            {sine + amplitude + "[wall]\namplitude = 2.0\n",
-            "wall.amplitude is 2 (a float), but must be left out without wall.sweep"}})
+            "wall.amplitude is 2 (a float), but must be left out without wall.sweep"},
+           {"spectrum = [[5, 1], [9, 1]]\n",
+            "excitation.unit is missing, but must be given where excitation.spectrum is"},
+           {"spectrum = [[5, 1], [9, 1]]\nunit = 'g'\n",
+            "excitation.unit is g, but must be that of a density"},
+           {"spectrum = [[5, 1], [9, 1]]\nunit = 'Pa^2/Hz'\n",
+            "excitation.unit is Pa^2/Hz, but must be that of a density"},
+           {spectrum + "seed = -1\n",
+            "excitation.seed is -1 (an integer), but must be an integer of 0 or more"},
+           {spectrum + "rate = 3\n",
+            "excitation.rate is 3 (an integer), but must be left out without excitation.file"},
+           {sines + "seed = 3\n",
+            "excitation.seed is 3 (an integer), but must be left out without excitation.spectrum"},
+           {"unit = 'g^2/Hz'\nspectrum = [[5, 1]]\n",
+            "excitation.spectrum is 1, but must be of two points or more"},
+           {"unit = 'g^2/Hz'\nspectrum = [[5, 1], [5, 1]]\n",
+            "excitation.spectrum is 5, but must be of frequencies above 0 (Hz) that increase"},
+           {"unit = 'g^2/Hz'\nspectrum = [[5, 0], [9, 1]]\n",
+            "excitation.spectrum is 0, but must be of densities above 0"},
+           {"unit = 'g^2/Hz'\nspectrum = 'none.csv'\n", "none.csv"},
+           {"unit = 'g^2/Hz'\nspectrum = 'r.csv'\n",
+            "the column f or frequency is missing; the file has time [ms], az [g]"},
+           {spectrum + "duration = 1e6\n", "excitation.duration is 1e+06, but must be at most"},
+           {spectrum + "duration = 1e-3\n", "excitation.duration is 0.001, but must be so long that lines"}})
     EXPECT_TRUE(holds(refusal("[excitation]\n" + keys), sentence));
   const auto refused = [&](const auto& change, const std::string& sentence, int rows = 101) {
     write_record(change, rows);

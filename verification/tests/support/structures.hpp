@@ -21,7 +21,7 @@ namespace stickslip::testing {
 
 /// The case with these matrices in place of its structure, and the same normal force. Its damping stays.
 inline data::Case with_matrices(data::Case problem, data::StructureMatrices matrices) {
-  if (!problem.excitation().is_force()) matrices.load.clear();
+  if (!problem.is_force()) matrices.load.clear();
   problem.structure = data::Model(problem.normal_force(),
                                   std::make_shared<const data::StructureMatrices>(std::move(matrices)));
   problem.section = {};

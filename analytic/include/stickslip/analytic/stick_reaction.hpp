@@ -46,7 +46,7 @@ struct OmittedForce {
 [[nodiscard]] double load(const data::Case& problem);
 
 /// The reaction of one case. That of a general motion is motion_reaction(), which knows largest() and exceeds() alone; what asks for more
-/// throws what Case::excitation() throws.
+/// throws what Case::excitation() throws. The largest |f| of a random motion is the one with even odds, RandomReaction::exceeded_with(0.5).
 class StickReaction {
  public:
   /// With the first numerics.modes() modes, Eq. (28): ModalReaction, or with damping DampedReaction. The other modes of a Model, and of a

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// Motions that are no single sine: sums of sines, sweeps, shocks and measured records. SI units.
+/// Motions that are no single sine: sums of sines, sweeps, shocks, measured records and random motions with a power spectrum. SI units.
 
 #include <array>
+#include <complex>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <numbers>
 #include <optional>
@@ -95,13 +97,39 @@ struct MotionRecord {
   std::optional<double> initial_velocity{};      ///< m/s
 };
 
+/// A stationary Gaussian motion with the one-sided power spectral density S(f) of a quantity: between its points a straight line of
+/// log S over log f, outside 0. Its realisation of the seed until T has that period and lines 1/T apart,
+///
+///     Σ_k √(S(k/T)/T) (a_k cos(2π k t/T) + b_k sin(2π k t/T)),     first point < k/T ≤ last point,
+///
+/// with independent normal numbers a_k, b_k of mean 0 and variance 1.
+struct PowerSpectrum {
+  struct Point {
+    double frequency_hz{};  ///< Hz, > 0, ascending
+    double density{};       ///< the square of the SI unit of the quantity over Hz, > 0
+  };
+  std::vector<Point> points;  ///< two or more
+  AmplitudeOf quantity{};     ///< what has this density
+  std::string unit;           ///< as it is stated,
+  double to_si{1.0};          ///< and what it is in SI units
+  std::string file;           ///< as the case file has it; empty where the points stand in it
+  std::string sha256;         ///< of its bytes
+  std::uint64_t seed{1};      ///< of the numbers; base and wall are independent whatever their seeds
+  bool is_of_wall{};
+
+  /// S(f) of the acceleration, (m/s²)²/Hz, or of a force, N²/Hz.
+  [[nodiscard]] double density(double frequency_hz) const;
+  /// c_k of the acceleration Σ Re(c_k exp(2πi k t/T)), m/s², or of a force, N; from k = 0 on.
+  [[nodiscard]] std::vector<std::complex<double>> lines(double duration) const;
+};
+
 class MotionShape;
 
 /// A motion h(t), t ≥ 0, of base or wall, in the frame at rest. A force F(t) on the load of a Model is -ḧ times 1 kg, as that of
 /// HarmonicExcitation, but its displacement and velocity are 0. Cannot be built invalid; cheap to copy.
 class GeneralMotion {
  public:
-  using Statement = std::variant<std::vector<Sine>, Sweep, Shock, MotionRecord>;
+  using Statement = std::variant<std::vector<Sine>, Sweep, Shock, MotionRecord, PowerSpectrum>;
 
   /// From 0 to `duration`, s, which may be anything for a record. Throws FieldError, naming a key of `table`, "excitation" or
   /// "wall".
@@ -116,7 +144,8 @@ class GeneralMotion {
   [[nodiscard]] std::size_t pieces() const noexcept;
   [[nodiscard]] MotionPiece piece(std::size_t index) const;
   /// Bound of the difference of the acceleration of the pieces from the closed form, m/s²: that of the interpolation in eight
-  /// Chebyshev points, max |h^(10)| (length/2)^8/(2^7 8!), without rounding. 0 for a record, which its pieces are.
+  /// Chebyshev points, max |h^(10)| (length/2)^8/(2^7 8!), without rounding. 0 for a record, which its pieces are. Of a spectrum, whose pieces
+  /// have the displacement and three derivatives of the lines at six points in a period of the highest of them, Σ|c_k| (ω_k length)^6/322560.
   [[nodiscard]] double piece_error() const noexcept;
   /// Estimate of what the interpolation between the samples of a record can change in its acceleration, m/s²; 0 for the others.
   /// A spline of every second sample misses the others by at most e; then the spline of all misses a value by e/16, its first
@@ -129,7 +158,8 @@ class GeneralMotion {
   [[nodiscard]] GeneralMotion lasting(double duration) const;
   /// Hz: of sines the highest; of a sweep the highest that it comes to; of a shock 1/(2 D) times 5 for a half-sine, 12 for the
   /// others, below which 99.9 % of the power of a half-sine and of a trapezoid of the acceleration lies; of a record the one
-  /// below which 99.9 % of the power of its acceleration about its mean lies, by Hann windows of at most 2^16 samples.
+  /// below which 99.9 % of the power of its acceleration about its mean lies, by Hann windows of at most 2^16 samples; of a spectrum
+  /// its last one.
   [[nodiscard]] double highest_frequency_hz() const noexcept;
 
   [[nodiscard]] double scale() const noexcept { return scale_; }
