@@ -169,7 +169,7 @@ class MotionReader {
   [[nodiscard]] Shock shock_in(const Entry& entry) const {
     const auto found =
         members("shock", entry, {"shape", "duration"}, "{ shape = \"half-sine\", duration = \"11 ms\" }");
-    const std::vector<std::string> shapes{"half-sine", "sawtooth", "trapezoid"};
+    const std::vector<std::string> shapes{"half-sine", "sawtooth", "trapezoid", "rectangle"};
     const auto shape = std::ranges::find(shapes, name_of(key("shock"), found[0], shapes));
     Shock shock{.shape = static_cast<ShockShape>(std::distance(shapes.begin(), shape)),
                 .duration = number_of(key("shock"), {1e-9, 1e9, "s"}, found[1])};

@@ -195,9 +195,12 @@ class ShockMotion : public MotionShape {
     require(shock.duration > 0.0, key, shock.duration, "of a duration above 0 (s)");
     require(shock.amplitude >= 0.0, key, shock.amplitude, "of an amplitude of 0 or more");
     const bool is_velocity = shock.amplitude_of == AmplitudeOf::velocity;
-    if (shock.amplitude_of == AmplitudeOf::displacement ||
-        (is_velocity && shock.shape == ShockShape::sawtooth))
-      throw FieldError(key, is_velocity ? "a sawtooth of velocity" : "of displacement",
+    const bool jumps = shock.shape == ShockShape::sawtooth || shock.shape == ShockShape::rectangle;
+    if (shock.amplitude_of == AmplitudeOf::displacement || (is_velocity && jumps))
+      throw FieldError(key,
+                       !is_velocity                          ? "of displacement"
+                       : shock.shape == ShockShape::sawtooth ? "a sawtooth of velocity"
+                                                             : "a rectangle of velocity",
                        "of an acceleration, or a half-sine or trapezoid of velocity: it has a jump that "
                        "needs an infinite acceleration");
     highest_hz = (shock.shape == ShockShape::half_sine ? 5.0 : 12.0) / (2.0 * shock.duration);
@@ -213,6 +216,8 @@ class ShockMotion : public MotionShape {
       piece_error = (is_velocity ? a * omega : a) * std::pow(0.5 * omega * length / parts, 8.0) / remainder;
     } else if (shock.shape == ShockShape::sawtooth) {
       add_line(0.0, length, 0.0, a);
+    } else if (shock.shape == ShockShape::rectangle) {
+      add_line(0.0, length, a, a);
     } else {
       add_line(0.0, 0.1 * length, 0.0, a);
       add_line(0.1 * length, 0.9 * length, a, a);

@@ -313,7 +313,7 @@ Json json_of(const data::Sweep& sweep) {
 }
 
 Json json_of(const data::Shock& shock) {
-  constexpr std::array names{"half-sine", "sawtooth", "trapezoid"};
+  constexpr std::array names{"half-sine", "sawtooth", "trapezoid", "rectangle"};
   return {{"kind", "shock"},
           {"shape", names.at(static_cast<std::size_t>(shock.shape))},
           {"shock_duration", shock.duration},

@@ -65,8 +65,9 @@ GeneralMotion random_motion(RandomNumbers& numbers, double duration) {
           data::Sweep{hz, to, most * numbers.log_uniform(1e-4, 1.0), is_logarithmic, 1.5, kind()}, duration);
     }
     default: {
-      const auto shape = static_cast<data::ShockShape>(numbers.whole(0, 2));
-      const bool may_be_velocity = shape != data::ShockShape::sawtooth && numbers.whole(0, 1) == 1;
+      const auto shape = static_cast<data::ShockShape>(numbers.whole(0, 3));
+      const bool may_be_velocity = shape != data::ShockShape::sawtooth &&
+                                   shape != data::ShockShape::rectangle && numbers.whole(0, 1) == 1;
       return GeneralMotion(data::Shock{shape, numbers.uniform(0.2, 1.2) * duration, 2.0,
                                        may_be_velocity ? AmplitudeOf::velocity : AmplitudeOf::acceleration},
                            duration);
@@ -139,10 +140,11 @@ TEST(GeneralMotions, AreOneSineAndFollowTheirStatement) {
   EXPECT_NEAR(sweep.displacement(1.0), 0.5 * std::sin(2.0 * pi * 2.0 / std::numbers::ln2), 1e-12);
   EXPECT_NEAR(sweep.highest_frequency_hz(), 7.9, 0.1);
   EXPECT_NEAR(sweep.displacement(4.0 + 1.0 / sweep.highest_frequency_hz()), sweep.displacement(4.0), 1e-9);
-  // A half-sine leaves the velocity 2 A D/pi, a sawtooth A D/2, a trapezoid 0.9 A D.
+  // A half-sine leaves the velocity 2 A D/pi, a sawtooth A D/2, a trapezoid 0.9 A D, a rectangle A D.
   for (const auto& [shape, change] : {std::pair{data::ShockShape::half_sine, 2.0 / pi},
                                       {data::ShockShape::sawtooth, 0.5},
-                                      {data::ShockShape::trapezoid, 0.9}}) {
+                                      {data::ShockShape::trapezoid, 0.9},
+                                      {data::ShockShape::rectangle, 1.0}}) {
     const GeneralMotion shock(data::Shock{shape, 0.011, 50.0, AmplitudeOf::acceleration}, 1.0);
     EXPECT_NEAR(shock.velocity(0.5), 0.55 * change, 1e-12);
     EXPECT_NEAR(shock.displacement(0.7) - shock.displacement(0.5), 0.2 * 0.55 * change, 1e-12);
@@ -493,6 +495,9 @@ TEST_F(MotionFile, RefusesInOneSentence) {
            {sines + "unit = 'g'\n",
             "excitation.unit is 'g' (a string), but must be left out without excitation.file"},
            {shock + amplitude, "excitation.shock is of displacement, but must be of an acceleration"},
+           {"shock = { shape = 'rectangle', duration = 0.01 }\nvelocity_amplitude = 1.0\n",
+            "excitation.shock is a rectangle of velocity, but must be of an acceleration"},
+           {"shock = { shape = 'square', duration = 0.01 }\n" + amplitude, "excitation.shock is 'square'"},
            {"sines = [[20]]\n",
             "excitation.sines is an array, but must be a list of [frequency, amplitude, phase]"},
            {"sines = [[20, '1 s']]\n", "excitation.sines is '1 s' (a string), but must be a number (m)"},

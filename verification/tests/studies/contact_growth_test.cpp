@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-/// The bound of the growth of a disturbance: closed forms, meshes, modes, steps, and runs that obey it.
+/// The bound of the growth of a disturbance: closed forms, meshes, modes, steps, and runs that obey it; and a friction law that
+/// jumps.
 
 #include "studies/history/contact_growth.hpp"
+#include "stickslip/analytic/boundary_integral.hpp"
 #include "stickslip/analytic/slip_modes.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
@@ -341,6 +343,24 @@ TEST(GrowthWarning, IsSilentOnWhatItDoesNotCompute) {
   for (const auto* method : {&studies::closed_form(), &studies::boundary_integral()})
     EXPECT_FALSE(warning({}, *method));
   EXPECT_FALSE(warning({{"contact.tangential_stiffness", "1e8"}}));
+}
+
+constexpr data::FrictionCoefficients jumping{
+    .static_coefficient = 0.3, .kinetic_coefficient = 0.2, .decay = std::numeric_limits<double>::infinity()};
+
+STICKSLIP_VERIFIES(JumpOfFriction, "P2");
+TEST(JumpOfFriction, IsTheLimitOfEverFasterDecay) {
+  const data::FrictionLaw law = data::FrictionLaw(jumping).in_slip();
+  for (const double v : {0.0, 1e-300, 1.0}) EXPECT_EQ(solver::friction_coefficient(law, v), 0.2);
+  data::FrictionCoefficients fast = jumping;
+  fast.decay = 1e6;
+  EXPECT_DOUBLE_EQ(solver::friction_coefficient(data::FrictionLaw(fast), 1.0), 0.2);
+  EXPECT_EQ(data::FrictionLaw(fast).in_slip().decay(), 1e6);
+  EXPECT_EQ(studies::weakening(data::FrictionLaw(jumping), 10.0), 0.0);  // nothing grows in slip
+}
+
+TEST(JumpOfFriction, IsRefusedByUniqueSteps) {
+  EXPECT_THROW(analytic::require_unique_step({10.0, data::FrictionLaw(jumping)}, 1e-9), data::FieldError);
 }
 
 }  // namespace

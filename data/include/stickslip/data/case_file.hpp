@@ -18,7 +18,7 @@
 /// [excitation] has in place of frequency_hz one of
 ///   sines = [[20, "0.1 mm", 0], [35, "0.5 g", 90]]: Hz, an amplitude of any kind, a phase in degrees that may be missing;
 ///   sweep = { from = "5 Hz", to = "200 Hz", rate = "1 oct/min" } or a rate as "2 Hz/s", with one of the amplitudes;
-///   shock = { shape = "half-sine", duration = "11 ms" } or "sawtooth" or "trapezoid", with one of the amplitudes;
+///   shock = { shape = "half-sine", duration = "11 ms" } or "sawtooth", "trapezoid", "rectangle", with an amplitude;
 ///   file = "road.csv", a table in the folder of the case or below, with column, quantity ("displacement", "velocity",
 ///     "acceleration" or "force"), unit where the name of the column does not say it, rate where it has no column "t" or "time", and
 ///     high_pass or initial_displacement and initial_velocity. The duration is that of the record.

@@ -62,11 +62,12 @@ struct Sweep {
 enum class ShockShape {
   half_sine,  ///< A sin(π t/D)
   sawtooth,   ///< A t/D, with its peak at the end (IEC 60068-2-27)
-  trapezoid   ///< rises to A and falls from it in D/10 each
+  trapezoid,  ///< rises to A and falls from it in D/10 each
+  rectangle   ///< A
 };
 
 /// From rest at t = 0 the stated quantity has a shape of the duration D, then is 0. Shapes that need an infinite acceleration are
-/// refused: a displacement, and a sawtooth of the velocity.
+/// refused: a displacement, and a sawtooth or rectangle of the velocity.
 struct Shock {
   ShockShape shape{};
   double duration{};           ///< D, s, > 0
