@@ -71,7 +71,7 @@ const std::vector<Recipe>& recipes() {
   static const std::vector<Recipe> all = [] {
     std::vector<Recipe> list;
     for (const auto& group :
-         {enclosed_sets(), converged_sets(), field_sets(), exact_sets(), published_sets()})
+         {enclosed_sets(), converged_sets(), field_sets(), exact_sets(), published_sets(), record_sets()})
       list.insert(list.end(), group.begin(), group.end());
     std::ranges::sort(list, {}, &Recipe::position);
     return list;

@@ -252,8 +252,9 @@ void expect_published(const std::string& name, const Published& published) {
   const data::Case given = data::load_case(name);
   const data::ModelProperties& mass = given.model()->properties();
   const bool is_mass = given.model()->is_mass();
-  const double natural = is_mass ? std::sqrt(mass.stiffness / mass.mass) : std::sqrt(2.0 * 1e4 / 5.0),
-               omega = std::max(natural, 2.0 * std::numbers::pi * data::highest_frequency_hz(given));
+  const double forced = 2.0 * std::numbers::pi * data::highest_frequency_hz(given),
+               natural = is_mass ? std::sqrt(mass.stiffness / mass.mass) : forced,
+               omega = std::max(natural, forced);
   double step = 2.0 * std::numbers::pi / natural / 500.0;
   if (!is_mass) step = given.numerics.time_step();  // the pull ends with a step
   if (published.has_states) step = 0.1;
@@ -361,6 +362,49 @@ TEST(PublishedCases, SlideOnAShakenPlaneAsPublished) {
       EXPECT_TRUE(within(friction_power(shaken, *method), expected,
                          discretisation(1e-10 * scale, 1.0, "1e-12 a step, some 100 steps")))
           << method->name << ", " << scale;
+  }
+}
+
+// The spline of the record, its integrals and the changes against ball arithmetic: to rounding by events, to order 2 by time steps.
+STICKSLIP_VERIFIES(RecordedMotion, "P8");
+TEST(RecordedMotion, IsThatOfBallArithmetic) {
+  const auto package = data::load_reference();
+  const data::ReferenceTable motion = data::read_table(package, "record-motion"),
+                             events = data::read_table(package, "record-events"),
+                             history = data::read_table(package, "record-history");
+  const data::Case given = with_value(data::load_case("recorded-mass"), "numerics.velocity_threshold", 0.0);
+  const auto& record = std::get<data::MotionRecord>(given.general_motion()->statement());
+  EXPECT_EQ(record.times, motion.column("time").values);
+  EXPECT_EQ(record.samples, motion.column("acceleration").values);
+  const auto errors_of = [&](const studies::Method& method, double step) {
+    const studies::History run = method.run(with_value(given, "numerics.time_step", step),
+                                            {.times = history.column("time").values}, {}, {});
+    std::array<double, 4> errors{};
+    const auto include = [&](std::size_t i, double value, double expected) {
+      errors.at(i) = largest_or_nan({errors.at(i), std::abs(value - expected)});
+    };
+    EXPECT_EQ(run.events.size(), events.rows());
+    for (std::size_t i = 0; i < std::min(run.events.size(), events.rows()); ++i) {
+      EXPECT_EQ(data::to_string(run.events[i].change), events.column("change").text[i]);
+      include(0, run.events[i].time, events.column("time").values[i]);
+      include(1, run.events[i].position, events.column("position").values[i]);
+    }
+    EXPECT_EQ(run.rows.size(), history.rows());
+    for (std::size_t i = 0; i < std::min(run.rows.size(), history.rows()); ++i) {
+      include(2, run.rows[i].tip_displacement, history.column("tip_displacement").values[i]);
+      include(3, run.rows[i].friction_force, history.column("friction_force").values[i]);
+    }
+    return errors;
+  };
+  const std::array scale{1.5, 0.12, 0.12, 15.0};  // s, m, m, N
+  const auto exact = errors_of(studies::event_driven(), 1e-3);
+  const auto coarse = errors_of(studies::finite_elements(), 1e-3),
+             fine = errors_of(studies::finite_elements(), 0.5e-3);
+  for (std::size_t i = 0; i < scale.size(); ++i) {
+    EXPECT_TRUE(within(exact.at(i), 0.0, discretisation(1e-10 * scale.at(i), 1.0, "1e-12 a step"))) << i;
+
+    EXPECT_GT(coarse.at(i), 3.5 * fine.at(i)) << i;
+    EXPECT_LT(coarse.at(i), 4.5 * fine.at(i)) << i;
   }
 }
 
