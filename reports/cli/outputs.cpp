@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <stdexcept>
 #include <utility>
 
@@ -197,10 +198,12 @@ void Outputs::print(Answer answer) {
     answer.add_members({{"warnings", *answer.warnings}});
   }
   head_.update(answer.json);
+  std::string text;
   if (is_json_)
-    fmt::print("{}", json_text(head_));
+    text = json_text(head_);
   else if (!takes_standard_output())
-    fmt::print("{}", data::plain_text(case_line_ + answer.text));
+    text = data::plain_text(case_line_ + answer.text);
+  std::fputs(text.c_str(), stdout);  // the end of the program tells whether it could be written
 }
 
 }  // namespace stickslip::cli

@@ -113,7 +113,8 @@ int run(int argc, const char* const* argv) {
     throw data::InputError(sentence_for(app, error));
   }
   std::cout.flush();  // a full disk shows here at the earliest
-  if (std::fflush(stdout) != 0 || !std::cout) throw data::OutputError("standard output cannot be written");
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0 || !std::cout)
+    throw data::OutputError("standard output cannot be written");
   return done;
 }
 
