@@ -143,6 +143,11 @@ double ContactDynamics::base_velocity(double t) const {
   return model_.drive->base_moves() ? value(base_[1], t - piece().begin) : 0.0;
 }
 
+double ContactDynamics::base_acceleration(double t) const {
+  if (!cursor_) return -std::pow(model_.load_angular_frequency, 2) * base_displacement(t);
+  return model_.drive->base_moves() ? value(base_[2], t - piece().begin) : 0.0;
+}
+
 LoadFactors ContactDynamics::load(double t) const {
   if (cursor_) {
     const double tau = t - piece().begin;
@@ -218,6 +223,27 @@ double ContactDynamics::accelerate(const KinematicsView& state, const LoadFactor
 double ContactDynamics::holding_force(const KinematicsView& state, double t) const {
   std::vector<double> modal(modes());
   return free_mass_ * wall_acceleration(t) - push(state, load(t), model_.contact_force, modal);
+}
+
+ContactDynamics::Reactions ContactDynamics::reactions(const KinematicsView& state, double t,
+                                                      double friction_force) const {
+  const std::size_t m = modes();
+  const LoadFactors factors = load(t);
+  const double f = friction_force + model_.contact_force;
+  std::vector<double> modal(m);
+  const double contact = accelerate(state, factors, f, modal);
+  Reactions result{.contact_acceleration = contact + base_acceleration(t)};
+  for (const BaseBalance& balance : model_.base_balances) {
+    const std::span acceleration(balance.acceleration), drag(balance.drag);
+    double sum = dot(acceleration.first(m), modal) + acceleration[m] * contact +
+                 balance.stiffness * state.displacement + balance.base[0] * factors.sine +
+                 balance.base[1] * factors.cosine + balance.base[2] * factors.base +
+                 balance.lever * (dot(model_.follower, state.amplitudes) +
+                                  model_.contact_follower * state.displacement - f);
+    if (!drag.empty()) sum += dot(drag.first(m), state.rates) + drag[m] * state.velocity;
+    result.base.push_back(sum);
+  }
+  return result;
 }
 
 Powers ContactDynamics::powers(const KinematicsView& state, double t, double friction_force) const {

@@ -30,6 +30,10 @@ ContactModel contact_model(HeldStructure structure, const data::HarmonicExcitati
     model.load.push_back(base.amplitude() * omega * omega * participation);
   model.load.back() -= base.amplitude() * model.base_stiffness;
   for (const double drag : model.drag) model.load_cosine.push_back(-base.amplitude() * omega * drag);
+  // Of A0 sin(Ω t) as it is of a force.
+  for (BaseBalance& balance : model.base_balances)
+    balance.base = {base.amplitude() * (balance.base[2] - omega * omega * balance.base[0]),
+                    base.amplitude() * omega * balance.base[1], 0.0};
   model.load_angular_frequency = omega;
   model.base_amplitude = base.is_force() ? 0.0 : base.amplitude();
   model.wall_amplitude = -model.wall_share * model.base_amplitude;

@@ -146,6 +146,13 @@ double EventDriven::friction_force() const {
 
 double EventDriven::holding_force() const { return dynamics_->holding_force(view(now_), time_); }
 
+ContactDynamics::Reactions EventDriven::reactions() const {
+  auto result = dynamics_->reactions(view(now_), time_, friction_force());
+  if (state_ == data::ContactState::stick)  // without rounding
+    result.contact_acceleration = dynamics_->wall_acceleration(time_) + dynamics_->base_acceleration(time_);
+  return result;
+}
+
 EventDrivenEnergy EventDriven::energy_balance() const {
   if (!settings_.keep_energy_balance)
     throw std::logic_error("the energy balance was not kept: set keep_energy_balance");

@@ -68,21 +68,30 @@ HeldBeam::HeldBeam(const data::Beam& beam, const data::Damping& damping, int mod
     structure_.angular_frequency.push_back(mode.angular_frequency());
     structure_.follower.push_back(follower * scale_.back() * mode.slope(length));
   }
-  // Masses with the constant 1 as the last function, whose products are the load of the base.
-  const auto shapes_and_one = [this](double x) {
+  // Masses with the functions 1, whose products are the load of the base, and x.
+  const auto shapes_and_motions = [this](double x) {
     std::vector<double> values = shapes(x);
-    values.push_back(1.0);
+    values.insert(values.end(), {1.0, x});
     return values;
   };
-  const Matrix products = integral_of_products(shapes_and_one, length, m);
+  const Matrix products = integral_of_products(shapes_and_motions, length, m);
+  BaseBalance force{.acceleration = {}, .drag = {}, .base = {density * length}},
+      moment{.acceleration = {},
+             .drag = {},
+             .stiffness = -beam.axial_force(),
+             .base = {0.5 * density * length * length},
+             .lever = length};
   Matrix mass(m + 1, m + 1);
   for (std::size_t n = 0; n <= m; ++n) {
     mass(n, n) = n < m ? 1.0 : density * products(m, m);
     structure_.participation.push_back(density * products(n, m + 1));
+    moment.acceleration.push_back(density * products(n, m + 2));
     if (n == m) break;
     mass(n, m) = mass(m, n) = density * products(n, m);
     structure_.mass_coupling.push_back(mass(n, m));
   }
+  force.acceleration = structure_.participation;
+  structure_.base_balances = {force, moment};
   structure_.contact_mass = mass(m, m);
   structure_.contact_follower = -follower * static_shape_.slope(length);
   structure_.contact_stiffness = bending_stiffness(beam) * static_shape_.third_derivative(length) +

@@ -129,6 +129,7 @@ struct Basis {
   Vector drag;               // C r on (U_n, σ)
   Matrix damping;            // C
   double contact_stiffness{}, base_stiffness{}, moved_mass{};
+  double base_drag{}, support{}, moved_load{};  // rᵀ C r, rᵀ K r and the load on r
   bool is_complete{};
   // xᵀ K x' of the other modes, of M r with itself, of M r with M σ, of M σ and of the load
   double base_rest{}, mixed_rest{}, wall_rest{}, force_rest{};
@@ -148,6 +149,8 @@ class BasisMaker {
     const Vector pull = product(stiffness_, base_);
     basis_.contact_stiffness = dot(wall_, product(stiffness_, wall_));
     basis_.base_stiffness = pull[rows_.contact()];
+    basis_.support = dot(base_, pull);
+    basis_.moved_load = dot(base_, rows_.transformed(matrices.load));
     const Vector momentum = product(mass_, base_);
     basis_.moved_mass = dot(base_, momentum);
     basis_.base = on_basis(momentum);
@@ -237,7 +240,9 @@ class BasisMaker {
             "above 0 on the diagonal in row " + std::to_string(row + 1) + ", which has no mass",
             "0 there for the held modes; respond --method fe follows it");
     const std::size_t size = basis_.angular_frequency.size() + 1;
-    basis_.drag = on_basis(product(damping, base_));
+    const Vector drag = product(damping, base_);
+    basis_.drag = on_basis(drag);
+    basis_.base_drag = dot(base_, drag);
     basis_.damping = Matrix(size, size);
     for (std::size_t n = 0; n < size; ++n) {
       Vector velocity(base_.size());
@@ -309,6 +314,16 @@ void add_damping(HeldStructure& structure, const data::Damping& damping, const M
                              damping.kelvin_voigt() * structure.contact_stiffness;
 }
 
+BaseBalance base_balance(const Basis& basis, std::size_t modes, bool is_force) {
+  BaseBalance force{.acceleration = shortened(basis.base, modes),
+                    .drag = {},
+                    .stiffness = basis.base_stiffness,
+                    .base = {basis.moved_mass, basis.base_drag, basis.support}};
+  if (!basis.drag.empty()) force.drag = shortened(basis.drag, modes);
+  if (is_force) force.base = {basis.moved_load};
+  return force;
+}
+
 // Of the modes that the basis has beyond those of the structure, and of all others.
 HeldStructure::Omitted omitted(const HeldStructure& structure, const Basis& basis, bool is_force) {
   const std::size_t m = structure.modes(), known = basis.angular_frequency.size();
@@ -353,6 +368,7 @@ HeldStructure held_model(const data::Case& problem, int modes) {
   constexpr double rounding = 1e-9;
   if (m == known && basis->is_complete && structure.free_mass() <= rounding * structure.contact_mass)
     structure.contact_mass = dot(structure.mass_coupling, structure.mass_coupling);
+  structure.base_balances = {base_balance(*basis, m, is_force)};
   structure.omitted = omitted(structure, *basis, is_force);
   add_damping(structure, problem.damping, basis->damping);
   return structure;

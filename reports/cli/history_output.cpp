@@ -17,13 +17,17 @@ namespace stickslip::cli {
 namespace {
 
 // y(L/2) is a beam's alone.
-std::string column_names(bool with_midspan = true) {
-  return fmt::format(
-      "time_s,base_displacement_m,tip_displacement_m,{}sliding_velocity_m_per_s,friction_force_N,state\n",
+using Columns = std::vector<studies::FurtherColumn>;
+
+std::string column_names(bool with_midspan = true, const Columns& further = {}) {
+  std::string names = fmt::format(
+      "time_s,base_displacement_m,tip_displacement_m,{}sliding_velocity_m_per_s,friction_force_N,state",
       with_midspan ? "midspan_displacement_m," : "");
+  for (const auto& column : further) names += fmt::format(",{}", column.heading);
+  return names + "\n";
 }
 
-std::string csv_line(const studies::HistoryRow& row, bool with_midspan = true) {
+std::string csv_line(const studies::HistoryRow& row, bool with_midspan = true, const Columns& further = {}) {
   std::string line = data::shortest_text(row.time);
   const auto add = [&](double value) {
     if (!std::isfinite(value))
@@ -35,7 +39,22 @@ std::string csv_line(const studies::HistoryRow& row, bool with_midspan = true) {
   if (with_midspan) add(row.midspan_displacement);
   add(row.sliding_velocity);
   add(row.friction_force);
-  return fmt::format("{},{}\n", line, data::to_string(row.state));
+  line += fmt::format(",{}", data::to_string(row.state));
+  for (const auto& column : further) add(row.*column.value);
+  return line + "\n";
+}
+
+// Each once, in the order of the list. Throws data::FieldError for one of beams with another structure.
+Columns further_columns_of(const data::Case& problem, const std::vector<std::string>& names) {
+  Columns columns;
+  for (const studies::FurtherColumn& column : studies::further_columns) {
+    if (std::ranges::find(names, column.name) == names.end()) continue;
+    if (column.of_beams_alone && problem.model() != nullptr)
+      throw data::FieldError("--columns", std::string(column.name),
+                             "left out for a [model], whose base is no clamp");
+    columns.push_back(column);
+  }
+  return columns;
 }
 
 double end_of(const data::Case& problem, const HistoryOptions& options) {
@@ -125,6 +144,7 @@ class HistoryOutput::Drawing {
 HistoryOutput::HistoryOutput(const data::Case& problem, const HistoryOptions& options, Outputs& outputs)
     : problem_(problem),
       is_beam_(problem.model() == nullptr),
+      columns_(further_columns_of(problem, options.columns)),
       outputs_(outputs),
       from_(options.from),
       to_(end_of(problem, options)),
@@ -160,10 +180,10 @@ void HistoryOutput::add(const studies::HistoryRow& row, long step) {
   if (row.time < from_ - rounding || row.time > to_ + rounding) return;
   // The header not before, so that an error in the problem writes nothing.
   outputs_.file("--output")
-      .write((rows_++ == 0
-                  ? fmt::format("# {}\n{}", outputs_.heading("Motion of the contact"), column_names(is_beam_))
-                  : "") +
-             csv_line(row, is_beam_));
+      .write((rows_++ == 0 ? fmt::format("# {}\n{}", outputs_.heading("Motion of the contact"),
+                                         column_names(is_beam_, columns_))
+                           : "") +
+             csv_line(row, is_beam_, columns_));
   if (drawing_) drawing_->add(row);
 }
 

@@ -20,6 +20,7 @@ struct HistoryOptions {
   double from{};               ///< s
   std::optional<double> to;    ///< s, else the end
   std::string output = "-", events, spectrum, figure;
+  std::vector<std::string> columns;  ///< names of studies::further_columns
 };
 
 class HistoryOutput {
@@ -54,6 +55,7 @@ class HistoryOutput {
 
   const data::Case& problem_;
   bool is_beam_;
+  std::vector<studies::FurtherColumn> columns_;
   Outputs& outputs_;
   report::Progress* progress_{};
   double from_, to_;

@@ -62,6 +62,8 @@ Answer respond(const RespondOptions& options, Outputs& outputs) {
   const studies::Method& method = studies::method(options.method);
   solver::RunOptions run{.starts_with_the_base = options.initial_velocity == "zero"};
   if (options.scheme) run.scheme = studies::contact_schemes().at(*options.scheme);
+  if (!options.history.columns.empty())
+    method.require(data::Feature::further_columns, "--method", method.name);
   if (!options.history.events.empty()) method.require(data::Feature::slip, "--method", method.name);
   method.require(problem, run);
   studies::require_held_growth(problem, method);
@@ -75,7 +77,7 @@ Answer respond(const RespondOptions& options, Outputs& outputs) {
   });
   // The largest values are those of all that is looked at: all time steps of a method in steps, else as many as it takes.
   const long step = method.in_time_steps ? 1 : studies::look_step(problem, output.row_step());
-  studies::Sampling sampling{.every = step};
+  studies::Sampling sampling{.every = step, .with_reactions = !options.history.columns.empty()};
   if (method.basis != studies::Basis::whole_beam &&
       problem.model() == nullptr) {  // each position would take it half of its time again
     sampling.positions = studies::Bending::positions(problem.beam().length());
@@ -107,6 +109,18 @@ Answer respond(const RespondOptions& options, Outputs& outputs) {
   return answer;
 }
 
+void add_columns_option(CLI::App& command, std::vector<std::string>& columns) {
+  std::vector<std::string> names;
+  for (const auto& column : studies::further_columns) names.emplace_back(column.name);
+  command
+      .add_option(
+          "--columns", columns,
+          "Further columns of the CSV file, a list with commas: the absolute acceleration of the tip, "
+          "the force and the moment that the base must apply")
+      ->delimiter(',')
+      ->check(one_of(names));
+}
+
 void add_options(CLI::App& command, RespondOptions& options) {
   add_case_options(command, options.problem);
   options.problem.rigid_for.clear();
@@ -128,6 +142,7 @@ void add_options(CLI::App& command, RespondOptions& options) {
       ->check(one_of({"end-of-step", "located", "paper"}));
   add_duration_option(command, options.problem);
   add_file_option(command, "--output", options.history.output, "CSV file, '-' for standard output");
+  add_columns_option(command, options.history.columns);
   add_file_option(command, "--events", options.history.events, "CSV file for the changes of contact");
   add_file_option(command, "--spectrum", options.history.spectrum,
                   "CSV file for the amplitude spectra of tip and friction force, over the whole periods of "

@@ -66,6 +66,19 @@ BeamModel::BeamModel(const data::Beam& beam, int elements) : beam_(beam), elemen
   stick_stiffness_ = elastic_ - beam.axial_force() * geometric_;
   slip_stiffness_ = stick_stiffness_;
   slip_stiffness_.coeffRef(tip_deflection(), tip_rotation()) += follower_force();
+  clamp_mass_ = mass.topRows<2>();
+  clamp_stiffness_ = (bending_stiffness(flexural_rigidity, element_length, shear_parameter_) -
+                      beam.axial_force() * solver::geometric_stiffness(element_length, shear_parameter_))
+                         .topRows<2>();
+  clamp_load_ = mass_per_length * consistent_load(element_length).head<2>();
+}
+
+MotionRow BeamModel::clamp_row(Eigen::Index row) const {
+  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(degrees_of_freedom());
+  MotionRow result{zero, zero, zero, {clamp_load_[row], 0.0, 0.0}};
+  result.acceleration.head<2>() = clamp_mass_.row(row).tail<2>().transpose();
+  result.displacement.head<2>() = clamp_stiffness_.row(row).tail<2>().transpose();
+  return result;
 }
 
 Eigen::VectorXd BeamModel::interpolation(double x) const {

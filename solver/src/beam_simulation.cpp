@@ -184,9 +184,12 @@ void BeamSimulation::start(const data::Case& problem, Eigen::VectorXd velocity, 
     integrator_->start_slipping(displacement, velocity);
 }
 
-Eigen::VectorXd BeamSimulation::weights_at(double x) const {
-  const Eigen::VectorXd nodal = model().interpolation(x);
+Eigen::VectorXd BeamSimulation::on_coordinates(const Eigen::VectorXd& nodal) const {
   return basis_.size() > 0 ? basis_.transpose() * nodal : nodal;
+}
+
+Eigen::VectorXd BeamSimulation::weights_at(double x) const {
+  return on_coordinates(model().interpolation(x));
 }
 
 double BeamSimulation::base_displacement() const { return base_.displacement(integrator_->time()); }
@@ -197,6 +200,10 @@ double BeamSimulation::displacement(double x) const {
 
 double BeamSimulation::tip_displacement() const {
   return base_displacement() + integrator_->displacement()[integrator_->system().contact];
+}
+
+double BeamSimulation::tip_acceleration() const {
+  return base_.acceleration(integrator_->time()) + integrator_->contact_acceleration();
 }
 
 double BeamSimulation::midspan_displacement() const {

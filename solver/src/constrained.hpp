@@ -24,4 +24,17 @@ using SparseCholesky = Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower, Eigen::
   return result;
 }
 
+/// The matrix with ones on the diagonal of rows of zeros: degrees of freedom without mass have no inertia to share.
+[[nodiscard]] inline SparseMatrix filled(const SparseMatrix& mass) {
+  Eigen::VectorXd sums = Eigen::VectorXd::Zero(mass.rows());
+  for (Eigen::Index column = 0; column < mass.outerSize(); ++column)
+    for (SparseMatrix::InnerIterator entry(mass, column); entry; ++entry)
+      sums[entry.row()] += std::abs(entry.value());
+  SparseMatrix result = mass;
+  for (Eigen::Index row = 0; row < sums.size(); ++row)
+    if (sums[row] == 0.0) result.coeffRef(row, row) = 1.0;
+  result.makeCompressed();
+  return result;
+}
+
 }  // namespace stickslip::solver

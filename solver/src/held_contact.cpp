@@ -5,23 +5,6 @@
 
 namespace stickslip::solver {
 
-namespace {
-
-// The matrix with ones on the diagonal of rows of zeros: degrees of freedom without mass have no inertia to share.
-SparseMatrix filled(const SparseMatrix& mass) {
-  Eigen::VectorXd sums = Eigen::VectorXd::Zero(mass.rows());
-  for (Eigen::Index column = 0; column < mass.outerSize(); ++column)
-    for (SparseMatrix::InnerIterator entry(mass, column); entry; ++entry)
-      sums[entry.row()] += std::abs(entry.value());
-  SparseMatrix result = mass;
-  for (Eigen::Index row = 0; row < sums.size(); ++row)
-    if (sums[row] == 0.0) result.coeffRef(row, row) = 1.0;
-  result.makeCompressed();
-  return result;
-}
-
-}  // namespace
-
 HeldContact::HeldContact(const ContactSystem& system) : system_(system) {
   const Eigen::Index c = system.contact;
   const SparseMatrix mass = filled(system.mass);

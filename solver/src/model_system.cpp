@@ -94,7 +94,8 @@ ModelMatrices model_matrices(const data::Model& model) {
                          .inertia = {},
                          .drag = {},
                          .static_shape = {},
-                         .load = free.transpose() * (transformation.transpose() * load)};
+                         .load = free.transpose() * (transformation.transpose() * load),
+                         .base = {}};
   const Eigen::Index c = std::ranges::find(rows, row_of_contact(given.contact)) - rows.begin();
   matrices.contact = c;
   const SparseCholesky held(constrained(matrices.stiffness, c));
@@ -118,6 +119,12 @@ ModelMatrices model_matrices(const data::Model& model) {
   constexpr double rounding = 1e-9;
   const Eigen::VectorXd balance = free.transpose() * (stiffness * whole);
   if (std::abs(balance[c]) > rounding * matrices.stiffness.coeff(c, c)) matrices.base_stiffness = balance[c];
+  const double own = base.dot(stiffness * base), support = base.dot(stiffness * whole);
+  matrices.base = {free.transpose() * (mass * base),
+                   free.transpose() * (damping * base),
+                   from_base,
+                   {base.dot(mass * whole), base.dot(damping * whole),
+                    std::abs(support) > rounding * own ? support : 0.0}};
   return matrices;
 }
 

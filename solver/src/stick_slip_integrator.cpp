@@ -124,6 +124,11 @@ double StickSlipIntegrator::excess_force() const { return contact_->excess(holdi
 
 double StickSlipIntegrator::contact_mass() const noexcept { return held_contact_->mass(); }
 
+double StickSlipIntegrator::contact_acceleration() const {
+  const double wall = system_.wall.acceleration(time_);
+  return is_stuck() && !yields() ? wall : wall + (friction_force() - holding_force()) / contact_mass();
+}
+
 double StickSlipIntegrator::position() const {
   return now_.displacement[system_.contact] - system_.wall.displacement(time_);
 }

@@ -78,6 +78,12 @@ History event_driven_history(const data::Case& problem, const Sampling& sampling
   for_each_row(problem, sampling, [&](long, double time) {
     run.advance_to(time);
     HistoryRow row = row_of(run);
+    if (sampling.with_reactions) {
+      const auto [acceleration, base] = run.reactions();
+      row.tip_acceleration = acceleration;
+      row.base_reaction = base.front();
+      if (beam) row.clamp_moment = base.back();
+    }
     if (beam) row.midspan_displacement = analytic::absolute_displacement(midspan, run);
     for (const auto& shape : shapes) row.displacement.push_back(analytic::absolute_displacement(shape, run));
     hold_to_law(problem, history, row);

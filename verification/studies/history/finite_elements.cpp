@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include <optional>
 #include <utility>
 
 #include "stickslip/solver/base_motion.hpp"
+#include "stickslip/solver/base_reaction.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "studies/history/method.hpp"
 
@@ -26,6 +28,10 @@ HistoryRow row_of(const solver::BeamSimulation& simulation, const std::vector<do
 History finite_element_history(const data::Case& problem, const Sampling& sampling,
                                const solver::RunOptions& options, const RowSink& sink) {
   solver::BeamSimulation simulation(problem, options);
+  std::optional<solver::BaseReaction> reaction;
+  if (sampling.with_reactions) reaction.emplace(problem, simulation);
+  if (reaction && simulation.integrator().contact_mass() == 0.0)
+    throw data::FieldError("model.mass_matrix", "0 at the contact", "above 0 there where --columns is given");
   History history;
   long done = 0;
   const auto step_to = [&](long step) {
@@ -35,6 +41,11 @@ History finite_element_history(const data::Case& problem, const Sampling& sampli
     step_to(step);
     HistoryRow row =
         row_of(simulation, step % sampling.positions_every == 0 ? sampling.positions : std::vector<double>());
+    if (reaction) {
+      row.tip_acceleration = simulation.tip_acceleration();
+      row.base_reaction = reaction->force();
+      row.clamp_moment = reaction->moment();
+    }
     hold_to_law(problem, history, row);
     add_row(problem, history, sink, std::move(row));
   }));

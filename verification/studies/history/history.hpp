@@ -3,10 +3,12 @@
 
 /// A motion of the beam in time, by whatever method it is computed (method.hpp), and the comparison of its events.
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "stickslip/data/contact_event.hpp"
@@ -25,7 +27,24 @@ struct HistoryRow {
   double friction_force{};        ///< f of Eq. (28), N
   data::ContactState state{data::ContactState::stick};
   std::vector<double> displacement{};  ///< y at Sampling::positions, m
+
+  // With Sampling::with_reactions. What the base must apply to the structure, positive along y and along the slope y'; what [damping]
+  // adds acts between structure and base, so that only its own inertia, friction, loads and supports move the whole.
+  double tip_acceleration{};  ///< y_tt(L), m/s²
+  double base_reaction{};     ///< N
+  double clamp_moment{};      ///< about the clamp of a beam, N m
 };
+
+/// A column that a history has where it is asked for.
+struct FurtherColumn {
+  std::string_view name, heading;  ///< of `respond --columns`, and in the file
+  double HistoryRow::*value;
+  bool of_beams_alone{};
+};
+inline constexpr std::array further_columns{
+    FurtherColumn{"tip-acceleration", "tip_acceleration_m_per_s2", &HistoryRow::tip_acceleration},
+    FurtherColumn{"base-reaction", "base_reaction_N", &HistoryRow::base_reaction},
+    FurtherColumn{"clamp-moment", "clamp_moment_N_m", &HistoryRow::clamp_moment, true}};
 
 /// How far the beam is bent at most over rows with the displacement at positions().
 struct Bending {
@@ -64,6 +83,8 @@ struct Sampling {
       times{};  ///< if any: rows at these ascending times instead, s; the run ends with the last
   std::vector<double> positions{};  ///< x of HistoryRow::displacement, 0 ... L, m
   long positions_every{1};          ///< finite elements: the time steps that have them
+  bool
+      with_reactions{};  ///< the further columns, by methods that do not refuse data::Feature::further_columns
   bool with_midspan{
       true};  ///< else midspan_displacement may be 0; the boundary integral takes half the time then
 };

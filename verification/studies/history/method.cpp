@@ -34,7 +34,8 @@ const std::vector<std::pair<Feature, std::string_view>> features{
     {Feature::initial_state, "`[initial]`"},
     {Feature::general_motion, "`sines`, `sweep`, `shock`, `file`, `spectrum` (`[excitation]`, `[wall]`)"},
     {Feature::start_at_rest, "`--initial-velocity zero`"},
-    {Feature::contact_scheme, "`--scheme`"}};
+    {Feature::contact_scheme, "`--scheme`"},
+    {Feature::further_columns, "`--columns`"}};
 
 const std::string undamped =
     "0 for the closed form: Eq. (26) is that of the undamped beam; respond --method fe follows the damped "
@@ -47,6 +48,7 @@ const std::string no_shear = "0 for --method {}, whose beam is rigid in shear; -
 const std::string wall_apart = "false for --method {} of a beam; fe and event-driven take it";
 const std::string from_rest =
     "0 for --method {}, which starts at rest on the wall; fe and event-driven take it";
+const std::string with_reactions = "fe or event-driven where --columns is given";
 const std::string elements_only = "fe where --scheme is given";
 
 // All of them feasible: a run in time steps says how far it is.
@@ -71,7 +73,8 @@ const std::vector<Method>& methods() {
         {Feature::wall_with_base, wall_apart},
         {Feature::initial_state, from_rest},
         {Feature::start_at_rest, quasi_static},
-        {Feature::contact_scheme, elements_only}},
+        {Feature::contact_scheme, elements_only},
+        {Feature::further_columns, with_reactions}},
        require_steps,
        boundary_integral_history,
        true,
@@ -88,7 +91,8 @@ const std::vector<Method>& methods() {
         {Feature::wall_with_base, wall_apart},
         {Feature::initial_state, from_rest},
         {Feature::start_at_rest, quasi_static},
-        {Feature::contact_scheme, elements_only}},
+        {Feature::contact_scheme, elements_only},
+        {Feature::further_columns, with_reactions}},
        [](const data::Case& problem) { require_periods(problem, most_periods_in_closed_form); },
        [](const data::Case& problem, const Sampling& sampling, const solver::RunOptions&,
           const RowSink& sink) {

@@ -32,7 +32,8 @@ const std::vector<Refusable> keys{{Feature::kelvin_voigt, "damping.kelvin_voigt"
                                   {Feature::fixed_axial_force, "beam.axial_direction"}};
 const std::vector<Refusable> options{{Feature::slip, "--events events.csv", 0, "--method"},
                                      {Feature::start_at_rest, "--initial-velocity zero"},
-                                     {Feature::contact_scheme, "--scheme located", 0, "--method"}};
+                                     {Feature::contact_scheme, "--scheme located", 0, "--method"},
+                                     {Feature::further_columns, "--columns tip-acceleration", 0, "--method"}};
 
 // A command with the arguments that make it fast, with its row of the user guide, or the method that decides.
 struct Row {

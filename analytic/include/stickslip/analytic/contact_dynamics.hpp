@@ -77,6 +77,7 @@ class ContactDynamics {
 
   [[nodiscard]] double base_displacement(double t) const;  ///< h; 0 under a force, as
   [[nodiscard]] double base_velocity(double t) const;      ///< its rate
+  [[nodiscard]] double base_acceleration(double t) const;
   [[nodiscard]] LoadFactors load(double t) const;
   [[nodiscard]] LoadFactors load_rate(double t) const;
   [[nodiscard]] double wall_displacement(double t) const;  ///< w
@@ -91,6 +92,14 @@ class ContactDynamics {
 
   /// f_d that gives the contact the acceleration of the wall.
   [[nodiscard]] double holding_force(const KinematicsView& state, double t) const;
+
+  /// y_tt of the contact (m/s²) and what the base must apply, as in HeldStructure::base_balances, under f_d. All terms are of the modes of
+  /// the model; the inertia of the others is in the masses, so that what they add is of the order h_tttt/ω², and u_c_tttt/ω² in slip.
+  struct Reactions {
+    double contact_acceleration{};
+    std::vector<double> base{};
+  };
+  [[nodiscard]] Reactions reactions(const KinematicsView& state, double t, double friction_force) const;
 
   [[nodiscard]] Powers powers(const KinematicsView& state, double t, double friction_force) const;
   [[nodiscard]] double kinetic_energy(const KinematicsView& state) const;

@@ -19,6 +19,7 @@
 /// (follower) force l . T + l_c u_c, which acts on the contact alone. Stick: u_c - w is constant and the last
 /// row yields f_d. Slip: f_d = -sgn(v_s) μ(|v_s|) N, v_s = u_c_t - w_t.
 
+#include <array>
 #include <cstddef>
 #include <limits>
 #include <memory>
@@ -51,6 +52,19 @@ class Matrix {
   std::vector<double> values_;
 };
 
+/// What the base must apply, as a balance of momentum (N) or of its moment about the clamp of a beam (N m): the terms in which a damping
+/// between structure and base cancels,
+///
+///     acceleration · x_tt + drag · x_t + stiffness u_c + s . (h_tt, h_t, h) + lever (l . T + l_c u_c - F_c - f_d),
+///
+/// where h_tt is -F/(1 kg) under a force F. In a ContactModel s belongs to the LoadFactors.
+struct BaseBalance {
+  std::vector<double> acceleration, drag;  ///< m + 1, the contact last; the drag empty if there is none
+  double stiffness{};                      ///< N/m (or N)
+  std::array<double, 3> base{};            ///< s
+  double lever{1.0};                       ///< 1, or the length of the beam, m
+};
+
 /// The structure above, without what moves it and what it rubs against; m modes, none at all for a single mass.
 struct HeldStructure {
   std::vector<double> angular_frequency;  ///< ω_n > 0 of the held contact, rad/s; m
@@ -71,7 +85,8 @@ struct HeldStructure {
   double base_stiffness{};  ///< e_c, N/m
   double wall_share{
       1.0};  ///< κ: relative to the base the wall moves by V t - κ h(t); 0 for a wall that moves with it
-  double moved_mass{};  ///< rᵀ M r, kg: of what follows base and contact, moved alike
+  double moved_mass{};                       ///< rᵀ M r, kg: of what follows base and contact, moved alike
+  std::vector<BaseBalance> base_balances{};  ///< of the force, and of the moment of a beam
   /// What other held modes would change; by default there are none.
   struct Omitted {
     double angular_frequency{std::numeric_limits<double>::infinity()};  ///< of the lowest of them, rad/s

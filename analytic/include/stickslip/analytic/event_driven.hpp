@@ -90,6 +90,8 @@ class EventDriven {
   [[nodiscard]] double sliding_velocity() const;  ///< v_s, m/s; zero in stick
   [[nodiscard]] double friction_force() const;    ///< f_d, N
   [[nodiscard]] double holding_force() const;     ///< f_d that holding the contact would take, N
+  /// Of the state now; just after a change of the contact those after it.
+  [[nodiscard]] ContactDynamics::Reactions reactions() const;
   [[nodiscard]] const std::vector<data::ContactEvent>& events() const { return events_; }
   /// Throws std::logic_error unless settings.keep_energy_balance.
   [[nodiscard]] EventDrivenEnergy energy_balance() const;

@@ -364,7 +364,8 @@ enum class Feature {
   initial_state,      ///< [initial]
   general_motion,     ///< a GeneralMotion of base or wall
   start_at_rest,      ///< u_t(x,0) = 0, of a run
-  contact_scheme      ///< a choice of it, of a run
+  contact_scheme,     ///< a choice of it, of a run
+  further_columns     ///< accelerations and reactions, of a run
 };
 
 /// One complete problem with the settings to solve it.

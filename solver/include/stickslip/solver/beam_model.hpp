@@ -3,12 +3,21 @@
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
+#include <array>
 
 #include "stickslip/data/problem.hpp"
 
 namespace stickslip::solver {
 
 using SparseMatrix = Eigen::SparseMatrix<double>;
+
+/// A force or moment that is linear in the motion of a structure and of its base:
+///
+///     acceleration · q_tt + velocity · q_t + displacement · q + base[0] h_tt + base[1] h_t + base[2] h.
+struct MotionRow {
+  Eigen::VectorXd acceleration, velocity, displacement;
+  std::array<double, 3> base{};
+};
 
 /// The beam on a uniform mesh, clamped at x = 0 (those two degrees of freedom are gone), both degrees of
 /// freedom of the tip kept: q = (w_1, θ_1, ..., w_n, θ_n), relative to the base, in m and rad.
@@ -56,6 +65,11 @@ class BeamModel {
   /// b = ρ A ∫ N dx, kg (and kg m): the load is -b h_tt.
   [[nodiscard]] const Eigen::VectorXd& base_load() const noexcept { return base_load_; }
 
+  /// The equation of the clamp without damping, as its deflection (N) or its rotation (N m) has it: the consistent mass and
+  /// K - P K_G of the first element.
+  [[nodiscard]] MotionRow clamp_force() const { return clamp_row(0); }
+  [[nodiscard]] MotionRow clamp_moment() const { return clamp_row(1); }
+
   /// Weights w with u_h(x) = w . q, by the shape functions; 0 ≤ x ≤ L in m (std::invalid_argument).
   [[nodiscard]] Eigen::VectorXd interpolation(double x) const;
 
@@ -64,11 +78,15 @@ class BeamModel {
   [[nodiscard]] Eigen::VectorXd unit_tip_deflection() const;
 
  private:
+  [[nodiscard]] MotionRow clamp_row(Eigen::Index row) const;
+
   data::Beam beam_;
   int elements_;
   double shear_parameter_{};  // 12 EI/(k G A l²)
   SparseMatrix mass_, elastic_, geometric_, stick_stiffness_, slip_stiffness_;
   Eigen::VectorXd base_load_;
+  Eigen::Matrix<double, 2, 4> clamp_mass_, clamp_stiffness_;  // the rows of the clamp in the first element
+  Eigen::Vector2d clamp_load_;
 };
 
 /// Throws data::FieldError, naming beam.axial_force, its value and the buckling load of the mesh, if the

@@ -74,10 +74,14 @@ class BeamSimulation {
   [[nodiscard]] double base_displacement() const;     ///< h, m; 0 where the excitation is a force
   [[nodiscard]] double displacement(double x) const;  ///< y(x) of a beam, m
   [[nodiscard]] double tip_displacement() const;      ///< y(L) of a beam, y of the contact of a model, m
+  [[nodiscard]] double tip_acceleration() const;      ///< y_tt there, m/s²; not without mass at the contact
   [[nodiscard]] double midspan_displacement() const;  ///< y(L/2) of a beam, m; else 0
   [[nodiscard]] double friction_force() const { return -integrator_->friction_force(); }  ///< f, N
   /// Of a beam.
   [[nodiscard]] const BeamModel& model() const { return model_.value(); }
+  /// Of weights on the nodes of a beam those on the coordinates of the integrator.
+  [[nodiscard]] Eigen::VectorXd on_coordinates(const Eigen::VectorXd& nodal) const;
+  [[nodiscard]] const PrescribedMotion& base() const noexcept { return base_; }  ///< h; at rest under a force
   /// Of the beam's ContactSystem: time, steps, events. Its sliding velocity is v_s = y_t(L) - V.
   [[nodiscard]] StickSlipIntegrator& integrator() noexcept { return *integrator_; }
   [[nodiscard]] const StickSlipIntegrator& integrator() const noexcept { return *integrator_; }

@@ -27,6 +27,7 @@ struct ModelMatrices {
       base_stiffness{};  ///< (K r)_c, N/m; 0 if the base alone holds the structure. K r is 0 in all other rows
   Eigen::VectorXd static_shape;  ///< σ: (K σ)_i = 0 but at the contact, where σ is 1
   Eigen::VectorXd load;          ///< of a unit force of the excitation
+  MotionRow base;                ///< the sum of the rows of the base, with the own damping, N
 };
 
 /// Throws data::FieldError, naming the file of the stiffness or the mass, if the structure with its contact held is not

@@ -140,7 +140,9 @@ class StickSlipIntegrator {
   [[nodiscard]] double friction_force() const;
   /// The friction force that holding the contact to the wall would take now, N.
   [[nodiscard]] double holding_force() const;
-  /// m_c = 1/(e_c · M⁻¹ e_c), kg.
+  /// q_tt[c] from the balance, m/s²: ẅ in stick, else ẅ + (f_d - holding_force())/m_c. Of second order, as q and v.
+  [[nodiscard]] double contact_acceleration() const;
+  /// m_c = 1/(e_c · M⁻¹ e_c), kg; 0 for a contact without mass.
   [[nodiscard]] double contact_mass() const noexcept;
   [[nodiscard]] const std::vector<data::ContactEvent>& events() const noexcept { return events_; }
   [[nodiscard]] const ContactSystem& system() const noexcept { return system_; }
