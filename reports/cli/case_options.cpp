@@ -201,7 +201,7 @@ std::string text_of(const data::GeneralMotion& motion) {
       return fmt::format("the record {} of {} rows, up to {:.4g} Hz", of.file, of.samples.size(),
                          motion.highest_frequency_hz());
   };
-  return std::visit(sentence, motion.statement()) +
+  return (motion.is_force() ? "force on the load: " : "") + std::visit(sentence, motion.statement()) +
          (motion.scale() == 1.0 ? "" : fmt::format(" times {}", text(motion.scale())));
 }
 

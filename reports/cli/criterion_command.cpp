@@ -12,6 +12,7 @@
 #include "command.hpp"
 #include "commands.hpp"
 #include "render/criterion_map.hpp"
+#include "render/history_drawing.hpp"
 #include "stickslip/analytic/held_motion.hpp"
 #include "stickslip/analytic/random_reaction.hpp"
 #include "stickslip/analytic/stick_reaction.hpp"
@@ -285,16 +286,16 @@ Answer answer_for_motion(const data::Case& problem, const analytic::MotionReacti
 }
 
 Answer criterion_of_motion(const data::Case& problem, const CriterionOptions& options, Outputs& outputs) {
-  if (!options.figure.empty())
-    throw data::FieldError("--figure", options.figure,
-                           "left out with a general motion; respond --figure draws it");
-  outputs.open({});
+  outputs.open({{"--figure", options.figure}});
   report::Progress& progress = outputs.progress("");
   const auto found = analytic::motion_reaction(
       problem, problem.numerics.modes(), [&](double time) { progress(time / problem.numerics.duration()); });
   Answer answer = answer_for_motion(problem, found);
   answer.warnings = sentences_of(studies::criterion_warnings(problem));
   require_finite(answer.json);
+  outputs.draw(problem.name, [&](const report::Look& look) {
+    return report::held_drawing(problem, found.first_excess, look);
+  });
   return answer;
 }
 

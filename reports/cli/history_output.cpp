@@ -4,13 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <utility>
 
-#include "render/drawing.hpp"
 #include "stickslip/data/case_file.hpp"
-#include "studies/common/problem_parameter.hpp"
 
 namespace stickslip::cli {
 
@@ -19,7 +15,7 @@ namespace {
 // y(L/2) is a beam's alone.
 using Columns = std::vector<studies::FurtherColumn>;
 
-std::string column_names(bool with_midspan = true, const Columns& further = {}) {
+std::string column_names(bool with_midspan, const Columns& further) {
   std::string names = fmt::format(
       "time_s,base_displacement_m,tip_displacement_m,{}sliding_velocity_m_per_s,friction_force_N,state",
       with_midspan ? "midspan_displacement_m," : "");
@@ -27,7 +23,7 @@ std::string column_names(bool with_midspan = true, const Columns& further = {}) 
   return names + "\n";
 }
 
-std::string csv_line(const studies::HistoryRow& row, bool with_midspan = true, const Columns& further = {}) {
+std::string csv_line(const studies::HistoryRow& row, bool with_midspan, const Columns& further) {
   std::string line = data::shortest_text(row.time);
   const auto add = [&](double value) {
     if (!std::isfinite(value))
@@ -78,72 +74,11 @@ long row_step_of(const data::Case& problem, const HistoryOptions& options, doubl
 
 }  // namespace
 
-// A drawing of a history in bounded memory: all rows or, of more than two for each of the columns of a figure, the
-// smallest and the largest values in each column, those in stick and those in slip apart, in the order in which they come.
-class HistoryOutput::Drawing {
- public:
-  // Of about so many rows, `from` to `to` (s).
-  Drawing(double from, double to, double rows)
-      : from_(from), width_(rows > 2.0 * columns ? (to - from) / columns : 0.0), text_(column_names()) {}
-
-  void add(const studies::HistoryRow& row) {
-    const double column = width_ > 0.0 ? std::floor((row.time - from_) / width_) : row.time;
-    if (column != column_) end_column();
-    column_ = column;
-    for (Extremes& of : extremes_)
-      if (of.smallest.state == row.state) return of.add(row);
-    extremes_.push_back({row, row});
-  }
-
-  // As CSV with the columns of the file.
-  [[nodiscard]] std::string text() {
-    end_column();
-    return text_;
-  }
-
- private:
-  static constexpr double columns = 1000.0;
-  static constexpr std::array values{
-      &studies::HistoryRow::base_displacement, &studies::HistoryRow::tip_displacement,
-      &studies::HistoryRow::midspan_displacement, &studies::HistoryRow::sliding_velocity,
-      &studies::HistoryRow::friction_force};
-
-  // Of the rows of a column with the same state.
-  struct Extremes {
-    studies::HistoryRow smallest, largest;    // largest has the time of the last row
-    std::array<bool, values.size()> falls{};  // whether the smallest value comes after the largest one
-
-    void add(const studies::HistoryRow& row) {
-      for (std::size_t i = 0; i < values.size(); ++i) {
-        const double value = row.*values[i];
-        if (value < smallest.*values[i]) falls[i] = true;
-        if (value > largest.*values[i]) falls[i] = false;
-        smallest.*values[i] = std::min(smallest.*values[i], value);
-        largest.*values[i] = std::max(largest.*values[i], value);
-      }
-      largest.time = row.time;
-    }
-  };
-
-  void end_column() {
-    for (auto& [smallest, largest, falls] : extremes_) {
-      for (std::size_t i = 0; i < values.size(); ++i)
-        if (falls[i]) std::swap(smallest.*values[i], largest.*values[i]);
-      text_ += csv_line(smallest);
-      if (largest.time > smallest.time) text_ += csv_line(largest);
-    }
-    extremes_.clear();
-  }
-
-  double from_, width_;  // s, of a column; 0: a column for each row
-  std::optional<double> column_;
-  std::vector<Extremes> extremes_;  // of each state in the column, in the order in which they come
-  std::string text_;
-};
-
-HistoryOutput::HistoryOutput(const data::Case& problem, const HistoryOptions& options, Outputs& outputs)
+HistoryOutput::HistoryOutput(const data::Case& problem, const HistoryOptions& options, bool is_held,
+                             Outputs& outputs)
     : problem_(problem),
       is_beam_(problem.model() == nullptr),
+      is_held_(is_held),
       columns_(further_columns_of(problem, options.columns)),
       outputs_(outputs),
       from_(options.from),
@@ -156,11 +91,9 @@ HistoryOutput::HistoryOutput(const data::Case& problem, const HistoryOptions& op
                 {"--figure", options.figure}});
   progress_ = &outputs.progress();
   if (!options.figure.empty())
-    drawing_ = std::make_unique<Drawing>(
-        from_, to_, (to_ - from_) / (static_cast<double>(row_step_) * problem.numerics.time_step()));
+    drawing_.emplace(problem, from_, to_,
+                     (to_ - from_) / (static_cast<double>(row_step_) * problem.numerics.time_step()));
 }
-
-HistoryOutput::~HistoryOutput() = default;
 
 void HistoryOutput::add(const studies::HistoryRow& row, long step) {
   constexpr long between_looks = 1000;  // at the clock
@@ -197,11 +130,8 @@ void HistoryOutput::finish(const studies::History& history) {
     return text;
   });
   outputs_.write_table("--spectrum", [&] { return spectrum_text(); });
-  outputs_.draw(problem_.name, [&](const report::Look& look) {
-    const auto values = report::values_table({{"limit", studies::friction_limit(problem_), "N"}});
-    return report::drawing_of("history", look,
-                              {{"history.csv", drawing_->text()}, {"history-values.csv", values.text()}});
-  });
+  outputs_.draw(problem_.name,
+                [&](const report::Look& look) { return drawing_->text(history, is_held_, look); });
 }
 
 std::string HistoryOutput::spectrum_text() {

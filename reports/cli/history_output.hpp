@@ -3,12 +3,12 @@
 
 #include <atomic>
 #include <cstddef>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "command.hpp"
+#include "render/history_drawing.hpp"
 #include "studies/history/history.hpp"
 
 namespace stickslip::cli {
@@ -25,11 +25,8 @@ struct HistoryOptions {
 
 class HistoryOutput {
  public:
-  /// Opens the files. Throws data::InputError for rows that a history cannot have, and as Outputs::open().
-  HistoryOutput(const data::Case& problem, const HistoryOptions& options, Outputs& outputs);
-  ~HistoryOutput();
-  HistoryOutput(const HistoryOutput&) = delete;
-  HistoryOutput& operator=(const HistoryOutput&) = delete;
+  /// Of a contact that `is_held`, or follows the slip. Opens the files. Throws data::InputError for rows that a history cannot have, and as Outputs::open().
+  HistoryOutput(const data::Case& problem, const HistoryOptions& options, bool is_held, Outputs& outputs);
 
   /// Takes what comes each `step` time steps, the row step or a divisor of it. Throws data::InputError if a row that is written is
   /// not finite.
@@ -49,18 +46,16 @@ class HistoryOutput {
   [[nodiscard]] const studies::Spectrum& spectrum() const { return spectrum_; }
 
  private:
-  class Drawing;
-
   [[nodiscard]] std::string spectrum_text();
 
   const data::Case& problem_;
-  bool is_beam_;
+  bool is_beam_, is_held_;
   std::vector<studies::FurtherColumn> columns_;
   Outputs& outputs_;
   report::Progress* progress_{};
   double from_, to_;
   long row_step_;
-  std::unique_ptr<Drawing> drawing_;
+  std::optional<report::HistoryDrawing> drawing_;
   std::optional<studies::SpectrumWindow> window_;
   studies::Spectrum spectrum_;
   std::vector<double> tip_displacements_, friction_forces_;

@@ -44,6 +44,7 @@ Answer respond_answer(const data::Case& problem, const RespondOptions& options, 
   if (output.window())
     answer.add_members({{"spectrum_window", output.spectrum().is_flat_top ? "flat-top" : "whole periods"},
                         {"spectrum_rows", output.window()->rows}});
+  if (problem.has(data::Feature::general_motion)) answer.add_line(conditions_of(problem));
   answer.add_line(
       fmt::format("{} rows written to {}{}", output.rows(), options.history.output,
                   output.row_step() > 1 ? fmt::format(", one in {} time steps", output.row_step()) : ""));
@@ -68,7 +69,7 @@ Answer respond(const RespondOptions& options, Outputs& outputs) {
   method.require(problem, run);
   studies::require_held_growth(problem, method);
   outputs.set_case(problem);
-  HistoryOutput output(problem, options.history, outputs);
+  HistoryOutput output(problem, options.history, !method.follows_slip(), outputs);
   outputs.on_interrupt([&] {
     return fmt::format("interrupted at {} s of {} s; {}", data::shortest_text(output.time()),
                        data::shortest_text(problem.numerics.duration()),

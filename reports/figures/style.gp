@@ -50,6 +50,7 @@ array shapes[4] = [4, 6, 8, 12]
 # Regions of the criterion: where the tip sticks is darker than where it slips.
 stick_fill = '#A6CBE6'
 slip_fill = '#FFF1DD'
+slip_band = '#E8D6BE'  # of a time in slip, behind curves
 # |f_max|/(mu_s P) on its decadic logarithm: lighter throughout with the force, the hue changes at the limit.
 ratio_palette = "set palette defined (-1.5 '#08306B', -0.75 '#2171B5', 0 '#7FB8DE', 0 '#EE9A33', 0.75 '#FDCB75', 1.5 '#FFF6D0')"
 

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include "render/history_drawing.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "studies/common/problem_parameter.hpp"
+#include "studies/history/method.hpp"
+
+namespace stickslip::report {
+
+HistoryDrawing::HistoryDrawing(const data::Case& problem, double from, double to, double rows)
+    : problem_(problem),
+      from_(from),
+      to_(to),
+      width_(rows > 2.0 * columns ? (to - from) / columns : 0.0),
+      table_("Motion of the contact",
+             "time [s], base [m], tip [m], midspan [m], wall [m], force [N], load [N], state [-]") {}
+
+HistoryDrawing::Values HistoryDrawing::values_of(const studies::HistoryRow& row) const {
+  const auto* base = problem_.general_motion();
+  const auto& wall = problem_.contact.wall_motion;
+  return {row.base_displacement,
+          row.tip_displacement,
+          row.midspan_displacement,
+          wall ? wall->displacement(row.time) : 0.0,
+          row.friction_force,
+          base != nullptr && base->is_force() ? -base->acceleration(row.time) : 0.0};  // of 1 kg
+}
+
+void HistoryDrawing::add(const studies::HistoryRow& row) {
+  const double column = width_ > 0.0 ? std::floor((row.time - from_) / width_) : row.time;
+  if (column != column_) end_column();
+  column_ = column;
+  const Values values = values_of(row);
+  const auto found = std::ranges::find(extremes_, row.state, &Extremes::state);
+  if (found == extremes_.end()) {
+    extremes_.push_back({row.state, row.time, row.time, values, values});
+    return;
+  }
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (values[i] < found->smallest[i]) found->falls[i] = true;
+    if (values[i] > found->largest[i]) found->falls[i] = false;
+    found->smallest[i] = std::min(found->smallest[i], values[i]);
+    found->largest[i] = std::max(found->largest[i], values[i]);
+  }
+  found->last = row.time;
+}
+
+void HistoryDrawing::end_column() {
+  for (Extremes& of : extremes_) {
+    for (std::size_t i = 0; i < of.falls.size(); ++i)
+      if (of.falls[i]) std::swap(of.smallest[i], of.largest[i]);
+    const auto write = [&](double time, const Values& values) {
+      table_.add(time);
+      for (const double value : values) table_.add(value);
+      table_.add(data::to_string(of.state)).end_row();
+    };
+    write(of.first, of.smallest);
+    if (of.last > of.first) write(of.last, of.largest);
+  }
+  extremes_.clear();
+}
+
+// From an onset to the capture after it. A history that begins in slip has a capture first.
+CsvTable HistoryDrawing::slips_of(const studies::History& history) const {
+  CsvTable slips("Slips", "begin [s], end [s]");
+  slips.add_numbers({from_, from_});  // gnuplot takes no empty table
+  double begin = history.events.empty() ? to_ : from_;
+  const auto add = [&](double end) {
+    if (std::min(end, to_) > std::max(begin, from_))
+      slips.add_numbers({std::max(begin, from_), std::min(end, to_)});
+    begin = to_;
+  };
+  for (const data::ContactEvent& event : studies::onsets_and_captures(history.events)) {
+    if (event.change == data::ContactChange::capture)
+      add(event.time);
+    else
+      begin = event.time;
+  }
+  add(to_);
+  return slips;
+}
+
+std::string HistoryDrawing::text(const studies::History& history, bool is_held, const Look& look) {
+  end_column();
+  const auto* motion = problem_.general_motion();
+  const bool is_load = motion != nullptr && motion->is_force();
+  const auto flag = [](const char* name, bool is_so) {
+    return FigureData::Value{name, is_so ? 1.0 : 0.0, "1"};
+  };
+  const auto values = values_table({{"limit", studies::friction_limit(problem_), "N"},
+                                    {"force_name", 0.0, "-", is_held ? "holding force" : "friction force"},
+                                    {"first_slip", history.first_slip.value_or(0.0), "s"},
+                                    flag("follows_slip", !is_held),
+                                    flag("has_first_slip", is_held && history.first_slip),
+                                    flag("has_base", !problem_.is_force()),
+                                    flag("has_wall", problem_.contact.wall_motion.has_value()),
+                                    flag("has_load", is_load)});
+  return drawing_of("history", look,
+                    {{"history.csv", table_.text()},
+                     {"history-slips.csv", slips_of(history).text()},
+                     {"history-values.csv", values.text()}});
+}
+
+std::string held_drawing(const data::Case& problem, const std::optional<double>& first_excess,
+                         const Look& look) {
+  constexpr double most_rows = 2e5;  // of a long record
+  const double duration = problem.numerics.duration(), step = problem.numerics.time_step();
+  const long every = std::max(studies::usual_row_step(problem, duration),
+                              static_cast<long>(std::min(duration / (most_rows * step), 1e9)));
+  HistoryDrawing drawing(problem, 0.0, duration, duration / (static_cast<double>(every) * step));
+  studies::History history =
+      studies::closed_form().run(problem, {.every = every}, {}, [&](const auto& row) { drawing.add(row); });
+  history.first_slip = first_excess;
+  return drawing.text(history, true, look);
+}
+
+}  // namespace stickslip::report
