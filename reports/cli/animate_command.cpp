@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
 
 #include "case_options.hpp"
 #include "command.hpp"
 #include "commands.hpp"
 #include "render/animation.hpp"
+#include "stickslip/analytic/held_motion.hpp"
 #include "stickslip/data/input_text.hpp"
 
 namespace stickslip::cli {
@@ -30,18 +32,41 @@ std::string no_other_film(const std::string& name) {
       data::printable(name));
 }
 
-// With the duration that is drawn.
-data::Case case_of(const AnimateOptions& options) {
+// A case whose duration ends with the film, which begins at a time, s.
+struct Filmed {
+  data::Case problem;
+  double from{};
+};
+
+// Of a general motion the first slip, or the largest |f|, of the contact held for ever is in the middle of the film.
+Filmed filmed(const AnimateOptions& options) {
   const data::Case problem = load_case(options.problem);
+  (void)problem.beam();  // which this needs
   for (const data::Override& given : overrides_of(options.problem))
-    if (data::state_the_same(given.key, "excitation.duration")) return problem;
-  return restated(problem, {{"excitation.duration", periods / problem.excitation().frequency_hz()}});
+    if (data::state_the_same(given.key, "excitation.duration")) return {problem};
+  double length = periods / data::highest_frequency_hz(problem), from = 0.0;
+  if (problem.has(data::Feature::general_motion)) {
+    const double duration = problem.numerics.duration();
+    length = std::min(length, duration);
+    if (!problem.has(data::Feature::shear)) {  // which that force does not take
+      const auto held = analytic::motion_reaction(problem, problem.numerics.modes());
+      from = std::clamp(held.first_excess.value_or(held.time) - 0.5 * length, 0.0, duration - length);
+    }
+  }
+  return {restated(problem, {{"excitation.duration", from + length}}), from};
+}
+
+std::string caption_of(const data::Case& problem) {
+  if (problem.has(data::Feature::general_motion)) return conditions_of(problem);
+  const data::KeyAxis& stated = data::stated_amplitude(problem.excitation()).axis;
+  return fmt::format("base at {:g} Hz, {:g} {}", problem.excitation().frequency_hz(),
+                     stated.scale * problem.excitation().stated(), stated.unit());
 }
 
 Answer animate(const AnimateOptions& options, Outputs& outputs) {
-  const data::Case problem = case_of(options);
+  const auto [problem, from] = filmed(options);
   outputs.set_case(problem);
-  const double duration = problem.numerics.duration();
+  const double duration = problem.numerics.duration() - from;
   if (options.frames - 1 > duration / problem.numerics.time_step() * (1.0 + 1e-12))
     throw data::FieldError(
         "--frames", options.frames,
@@ -52,14 +77,17 @@ Answer animate(const AnimateOptions& options, Outputs& outputs) {
   method.require(problem);
   report::write_animation(problem, {.method = &method,
                                     .frames = options.frames,
+                                    .from = from,
                                     .output = options.output,
+                                    .caption = caption_of(problem),
                                     .title = outputs.heading("Motion of the beam"),
                                     .quiet = outputs.is_quiet()});
   Answer answer;
   answer.add_line(fmt::format("{} frames written to {}", options.frames, options.output));
   answer.add_members({{"method", options.method}});
   add_excitation(answer, problem);
-  answer.add_members({{"duration_s", duration}, {"frames", options.frames}, {"output", options.output}});
+  answer.add_members(
+      {{"from_s", from}, {"duration_s", duration}, {"frames", options.frames}, {"output", options.output}});
   answer.warnings = sentences_of(studies::history_warnings(problem, method));
   return answer;
 }
@@ -70,7 +98,9 @@ void add_options(CLI::App& command, AnimateOptions& options) {
   add_choice_option(command, "--method", options.method,
                     {studies::event_driven().name, studies::finite_elements().name},
                     "Finite elements with contact, or event by event in the modes of the continuous beam");
-  add_duration_option(command, options.problem, "else ten periods of the excitation");
+  add_duration_option(command, options.problem,
+                      "else ten periods of the highest frequency of the excitation; of a general motion, "
+                      "around its first slip");
   add_integer_option(command, "--frames", options.frames, 2, report::most_frames,
                      "Number of frames, evenly over the duration");
   command

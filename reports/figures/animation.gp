@@ -19,7 +19,7 @@ do for [frame = first_frame:last_frame] {
   row = (frame - first_frame) * points
   tip = row + points - 1
   set output sprintf('frame-%04d.png', frame)
-  set multiplot title sprintf('%s: base at %g Hz, %g %s', heading, hz, amplitude, amplitude_unit) noenhanced
+  set multiplot title heading.': '.caption noenhanced
   set lmargin at screen 0.115
   set rmargin at screen 0.79
   set bmargin at screen 0.13

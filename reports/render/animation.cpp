@@ -70,16 +70,14 @@ CsvTable table_of(const std::string& title, const studies::History& motion,
 }
 
 // What the script needs to keep the axes of all frames alike.
-std::vector<FigureData::Value> values_of(const data::Case& problem, const studies::History& motion) {
+std::vector<FigureData::Value> values_of(const data::Case& problem, const studies::History& motion,
+                                         const std::string& caption) {
   const double limit = studies::friction_limit(problem);
-  const data::KeyAxis& stated = data::stated_amplitude(problem.excitation()).axis;
   double largest_force = limit;
   for (const auto& row : motion.rows) largest_force = std::max(largest_force, std::abs(row.friction_force));
   return {{"points", positions, "1"},
           {"length", problem.beam().length(), "m"},
-          {"hz", problem.excitation().frequency_hz(), "Hz"},
-          {"amplitude", stated.scale * problem.excitation().stated(), std::string(stated.unit())},
-          {"amplitude_unit", 0.0, "-", std::string(stated.unit())},
+          {"caption", 0.0, "-", "\"" + caption + "\""},
           {"force_limit", limit, "N"},
           {"largest_force", largest_force, "N"},
           {"largest_displacement", studies::peak(motion), "m"}};
@@ -87,8 +85,8 @@ std::vector<FigureData::Value> values_of(const data::Case& problem, const studie
 
 // The drawings, in the scratch folder.
 std::vector<fs::path> drawn_frames(const data::Case& problem, const studies::History& motion,
-                                   const std::vector<double>& position, Progress& progress,
-                                   OutputFolder& output) {
+                                   const std::vector<double>& position, const std::string& caption,
+                                   Progress& progress, OutputFolder& output) {
   const std::size_t frames = motion.rows.size();
   std::vector<fs::path> drawn;
   for (std::size_t first = 0; first < frames; first += batch) {
@@ -97,7 +95,7 @@ std::vector<fs::path> drawn_frames(const data::Case& problem, const studies::His
     progress.stage(fmt::format("drawing frames {} to {} of {}", first + 1, last, frames));
     data::write_text(output.scratch() / "frames.csv",
                      table_of("Motion of the beam", motion, position, first, last).text());
-    auto values = values_of(problem, motion);
+    auto values = values_of(problem, motion, caption);
     values.push_back({"first_frame", static_cast<double>(first + 1), "1"});
     values.push_back({"last_frame", static_cast<double>(last), "1"});
     data::write_text(output.scratch() / "animation-values.csv", values_table(values).text());
@@ -138,13 +136,14 @@ void write_animation(const data::Case& problem, const AnimationOptions& options)
                        100.0 * progress.share(), has_motion ? "; the motion is in " + table : "");
   });
   progress.stage("following the beam");
-  const studies::Sampling sampling =
-      studies::snapshots_of(problem, 0.0, problem.numerics.duration(), options.frames, positions);
+  const studies::Sampling sampling = studies::snapshots_of(
+      problem, options.from, problem.numerics.duration() - options.from, options.frames, positions);
   const studies::History motion = motion_of(problem, options, sampling);
   output.write("motion.csv",
                table_of(options.title, motion, sampling.positions, 0, motion.rows.size()).text());
   has_motion = !film;
-  const std::vector<fs::path> frames = drawn_frames(problem, motion, sampling.positions, progress, output);
+  const std::vector<fs::path> frames =
+      drawn_frames(problem, motion, sampling.positions, options.caption, progress, output);
   if (film) {
     progress.stage("drawing " + options.output.string());
     film->write(

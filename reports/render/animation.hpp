@@ -11,8 +11,10 @@ namespace stickslip::report {
 
 struct AnimationOptions {
   const studies::Method* method{};
-  int frames{};                  ///< 2 ... most_frames, evenly over numerics.duration(), its ends included
+  int frames{};   ///< 2 ... most_frames, evenly from `from` to numerics.duration(), both included
+  double from{};  ///< s
   std::filesystem::path output;  ///< folder of the frames, made if missing, or a film, a .gif file
+  std::string caption;           ///< of each frame, after the name of the case
   std::string title;             ///< of motion.csv
   bool quiet{};                  ///< no progress on standard error
 };
