@@ -97,15 +97,18 @@ data::Motion sine_or_sum(const data::HarmonicMotion& sine, double duration, Rand
 
 TEST(BaseReactions, OfABeamAreThoseOfTwoMethods) {
   int compared = 0;
-  const CaseDomain domain{
-      .lowest_load = 0.5, .longest = 4.0, .lowest_frequency = 0.3, .highest_frequency = 2.0, .jump = 0.0};
-  on_random_cases(8, domain, [&](CaseText text, RandomNumbers& numbers) {
-    text.set("damping.kelvin_voigt", 0.003 / text.number("excitation.frequency_hz"));
+  const CaseDomain domain{.lowest_load = 0.5,
+                          .longest = 4.0,
+                          .lowest_frequency = 0.3,
+                          .highest_frequency = 2.0,
+                          .kelvin_voigt = 1.0,
+                          .jump = 0.0};
+  on_random_cases(6, domain, [&](const CaseText& text, RandomNumbers& numbers) {
     data::Case problem = text.problem();
     problem.motion = sine_or_sum(problem.excitation().motion(), problem.numerics.duration(), numbers);
-    compared += expect_alike(problem, 0.15, 0.01);
+    compared += expect_alike(problem, 0.2, 0.02);
   });
-  EXPECT_GE(compared, 6);
+  EXPECT_GE(compared, 4);
 }
 
 TEST(BaseReactions, OfAStructureAreThoseOfTwoMethods) {
