@@ -95,7 +95,8 @@ class Verdicts {
     const double limit = friction_limit(problem), load = analytic::load(problem);
     const bool is_sine = !problem.has(data::Feature::general_motion);
     if (!(load > 0.0))
-      throw data::FieldError(is_sine ? "excitation.amplitude" : "excitation.scale", load, "above 0");
+      throw is_sine ? data::FieldError("excitation.amplitude", load, "above 0 (m)")
+                    : data::FieldError("excitation.scale", load, "above 0");
     const analytic::Bounds force = force_ ? *force_ : unit_force(problem);
     return {
         .critical_load = limit / force.midpoint() / (is_sine ? problem.excitation().unit_amplitude() : 1.0),

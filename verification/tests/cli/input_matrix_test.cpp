@@ -244,8 +244,9 @@ std::string good_value(const data::Key& key) {
 }
 
 // The keys that the cases leave out, as a pattern: one of the numbers alone, two in which others stand for them, and one of a mass.
-#define OF_MOTIONS                                                                                         \
-  "*.@(sines|sweep|shock|file|column|quantity|unit|rate|high_pass|initial_displacement|initial_velocity)|" \
+#define OF_MOTIONS                                                                                     \
+  "*.@(sines|sweep|shock|file|spectrum|seed|column|quantity|unit|rate|high_pass|initial_displacement|" \
+  "initial_velocity)|"                                                                                 \
   "wall.scale|wall.*amplitude|"
 #define OF_MODELS OF_MOTIONS "model.*|initial.*|excitation.force|excitation.constant_force|damping.ratios|"
 constexpr const char* left_out[] = {

@@ -165,6 +165,21 @@ TEST(DefaultNumerics, FollowTheHighestMode) {
 
 class RespondFigure : public Drawing {};
 
+// The same columns of a history and of what is drawn of it.
+const Words row_names{"time_s", "base_displacement_m", "tip_displacement_m", "midspan_displacement_m",
+                      "friction_force_N"},
+    drawn_names{"time", "base", "tip", "midspan", "force"};
+
+// The rows of these columns of a table of numbers.
+using Numbers = std::vector<std::vector<double>>;
+Numbers numbers_in(const std::string& table, const Words& names) {
+  auto columns = columns_of(table);
+  Numbers rows(columns[names.front()].size());
+  for (const std::string& name : names)
+    for (std::size_t i = 0; i < rows.size(); ++i) rows[i].push_back(std::stod(columns[name].at(i)));
+  return rows;
+}
+
 STICKSLIP_VERIFIES(RespondFigure, "U1");
 TEST_F(RespondFigure, IsDrawnFromTheRowsAndTheLimit) {
   install_gnuplot("cat \"${folder}history.csv\" \"${folder}history-values.csv\" > $output\n");
@@ -172,18 +187,17 @@ TEST_F(RespondFigure, IsDrawnFromTheRowsAndTheLimit) {
       run_line("respond paper --duration 0.001 --output history.csv --figure history.png");
   ASSERT_EQ(outcome.status, 0) << outcome.errors;
   const std::string drawn = contents("history.png");
-  EXPECT_EQ(drawn.find(contents("history.csv").substr(contents("history.csv").find('\n') + 1)), 0u);
-  EXPECT_TRUE(drawn.ends_with("limit,300,N\n")) << drawn;
+  EXPECT_EQ(numbers_in(drawn.substr(0, drawn.find("# Single")), drawn_names),
+            numbers_in(contents("history.csv"), row_names));
+  EXPECT_TRUE(holds(drawn, "\nlimit,300,N\n")) << drawn;
 }
 
-// The rows of a table of numbers under its names, with the words of a last column left out.
-using Numbers = std::vector<std::vector<double>>;
-Numbers numbers(const std::vector<Words>& table, bool is_all = true) {
+// The rows of a table of numbers under its names.
+Numbers numbers(const std::vector<Words>& table) {
   Numbers values;
   for (std::size_t i = 1; i < table.size(); ++i) {
     auto& row = values.emplace_back();
-    for (std::size_t k = 0; k < table[i].size() - (is_all ? 0 : 1); ++k)
-      row.push_back(std::stod(table[i][k]));
+    for (const std::string& cell : table[i]) row.push_back(std::stod(cell));
   }
   return values;
 }
@@ -197,15 +211,16 @@ TEST_F(RespondFigure, HasTheExtremesOfEachState) {
   const auto expect_extremes = [&](const std::string& options, double duration) {
     EXPECT_EQ(run_line("respond " + options + " --every 1 --output history.csv --figure history.png").status,
               0);
-    const auto groups_of = [&](const std::string& file) {
+    const auto groups_of = [&](const std::string& file, const Words& names) {
       Groups groups;
-      const auto table = csv(contents(file));
-      const auto rows = numbers(table, false);
+      const std::string table = contents(file);
+      const auto rows = numbers_in(table, names);
+      const Words states = columns_of(table)["state"];
       for (std::size_t i = 0; i < rows.size(); ++i)
-        groups[{std::floor(rows[i][0] / (duration / 1000.0)), table[i + 1].back()}].push_back(rows[i]);
+        groups[{std::floor(rows[i][0] / (duration / 1000.0)), states.at(i)}].push_back(rows[i]);
       return groups;
     };
-    const Groups all = groups_of("history.csv"), drawn = groups_of("history.png");
+    const Groups all = groups_of("history.csv", row_names), drawn = groups_of("history.png", drawn_names);
     ASSERT_EQ(all.size(), drawn.size());
     for (const auto& [place, rows] : all) {
       const Numbers& two = drawn.at(place);
