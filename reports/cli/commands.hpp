@@ -19,6 +19,7 @@ void add_sweep_command(CLI::App& app);
 void add_design_command(CLI::App& app);
 void add_uncertainty_command(CLI::App& app);
 void add_squeal_command(CLI::App& app);
+void add_nvh_command(CLI::App& app);
 void add_periodic_command(CLI::App& app);
 void add_reference_command(CLI::App& app);
 void add_compare_command(CLI::App& app);
@@ -32,10 +33,10 @@ void add_complete_command(CLI::App& app);
 
 /// All of them, in the order of --help.
 constexpr void (*all_commands[])(CLI::App&){
-    add_new_command,         add_modes_command,    add_respond_command,  add_animate_command,
-    add_criterion_command,   add_map_command,      add_sweep_command,    add_design_command,
-    add_uncertainty_command, add_squeal_command,   add_periodic_command, add_reference_command,
-    add_compare_command,     add_validate_command, add_report_command,   add_cases_command,
-    add_complete_command};
+    add_new_command,         add_modes_command,   add_respond_command,  add_animate_command,
+    add_criterion_command,   add_map_command,     add_sweep_command,    add_design_command,
+    add_uncertainty_command, add_squeal_command,  add_nvh_command,      add_periodic_command,
+    add_reference_command,   add_compare_command, add_validate_command, add_report_command,
+    add_cases_command,       add_complete_command};
 
 }  // namespace stickslip::cli

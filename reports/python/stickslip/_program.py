@@ -12,7 +12,7 @@ import tempfile
 
 from ._data import array, number
 
-COMMANDS = ("cases", "criterion", "design", "map", "modes", "periodic", "respond", "squeal", "sweep", "uncertainty")
+COMMANDS = ("cases", "criterion", "design", "map", "modes", "nvh", "periodic", "respond", "squeal", "sweep", "uncertainty")
 
 
 class ProgramError(RuntimeError):

@@ -70,6 +70,8 @@ class Scrambling {
   std::uint32_t shift_{};
 };
 
+}  // namespace
+
 Estimate mean_with_interval(std::span<const double> values) {
   const auto count = static_cast<double>(values.size());
   const double mean = gsl_stats_mean(values.data(), 1, values.size());
@@ -77,6 +79,8 @@ Estimate mean_with_interval(std::span<const double> values) {
                       gsl_stats_sd_m(values.data(), 1, values.size(), mean) / std::sqrt(count);
   return {mean, mean - half, mean + half};
 }
+
+namespace {
 
 struct PlainIndex {
   double first{}, total{};

@@ -49,6 +49,9 @@ struct Estimate {
   double value{}, lower{}, upper{};
 };
 
+/// The mean of at least two values, by Student's t: for values that are normal and independent.
+[[nodiscard]] Estimate mean_with_interval(std::span<const double> values);
+
 /// The probability of an event that `hits` of `count` > 0 independent samples had, with the interval of Clopper and
 /// Pearson (Biometrika 26, 404-413, 1934), which has at least its nominal coverage for every probability.
 [[nodiscard]] Estimate probability_of(std::size_t hits, std::size_t count);

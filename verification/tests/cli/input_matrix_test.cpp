@@ -136,20 +136,23 @@ constexpr Exception exceptions[] = {
     {"option", "@(stickslip|reference) --help", "!(unknown)", "help is given"},
     {"option", "* @(CASE|CASES)", "missing", "a case of the paper stands for none"},
     {"option", "criterion CASE", "duplicate", "it takes several cases"},
-    {"option", "@(respond|animate|criterion|map|sweep|periodic) --amplitude", "zero", "nothing moves"},
+    {"option", "@(respond|animate|criterion|map|sweep|periodic|nvh) --amplitude", "zero", "nothing moves"},
     {"option", "sweep --settle", "zero", "nothing passes before the section"},
     {"option", "uncertainty --seed", "zero", "any seed will do"},
     {"option",
-     "@(criterion --set|uncertainty --set|squeal --set|periodic --set|compare --tolerance|report --only)",
+     "@(criterion --set|uncertainty --set|squeal --set|nvh --set|periodic --set|compare --tolerance|report "
+     "--only)",
      "duplicate", "it may be given several times"},
     {"option", "compare --tolerance", "@(denormal|huge|zero)", "any finite tolerance may be asked for"},
     {"option", "compare --until", "@(denormal|huge|zero)",
      "a comparison may end at its start or go on to the end of the data"},
     {"option", "squeal --speed", "negative", "the wall may move either way"},
+    {"option", "nvh --transient", "@(denormal|zero)", "nothing is left out"},
     {"option", "respond --from", "@(denormal|zero)", "the rows begin with the history"},
     {"option", "respond --to", "denormal", "the rows end with the start"},
     {"option",
-     "@(* --output|respond --events|squeal --map|compare --json|compare --junit|validate --predictions)",
+     "@(* --output|respond --events|squeal --map|nvh --audio|compare --json|compare --junit|validate "
+     "--predictions)",
      "@(denormal|huge|infinity|negative|not UTF-8|not a number|wrong type|zero)",
      "a file may have that name"},
     {"option", "new FILE",
@@ -713,6 +716,7 @@ std::vector<Command> commands() {
             {"--speeds", "0.1:0.5"},
             {"--ratios", "0.01:0.02"},
             {"--count", "2"}}},
+          {"nvh", {{"CASE", "squeak-stand"}, {"--set", "excitation.duration=1"}, {"--audio", "out.csv"}}},
           {"periodic", {{"CASE", "reed"}, {"--set", "numerics.modes=2"}, {"--settle", "20"}}},
           {"reference list", {{"--package", fixture}}},
           {"reference show", {{"NAME", set}, {"--package", fixture}}},
@@ -1033,6 +1037,7 @@ TEST_F(OptionInput, HasTheLimitsAndDefaultsOfTheHelp) {
         {"squeal", "--modes", "INT:1 ... 50", "5"},
         {"squeal", "--settle", "INT:1 ... 100000", "200"},
         {"squeal", "--count", "INT:2 ... 500", "41"},
+        {"nvh", "--windows", "INT:2 ... 10000", "10"},
         {"periodic", "--periods", "INT:1 ... 1000", "1"},
         {"periodic", "--settle", "INT:1 ... 100000", "200"}}) {
     const CLI::Option* option = app_of({command, {}}).get_option(name);
@@ -1064,7 +1069,7 @@ TEST_F(InputFile, IsNoOutputOfTheSameCommand) {
     if (const Words words = usual(command, "INPUT");
         std::ranges::count(words, "INPUT") + std::ranges::count(words, "out.csv") == 2)
       runs.emplace_back(words, contents(data::find_case(command.arguments.front().second)));
-  EXPECT_EQ(runs.size(), 4u + 4u);  // respond, map, sweep, squeal
+  EXPECT_EQ(runs.size(), 4u + 5u);  // respond, map, sweep, squeal, nvh
   for (auto& [words, text] : runs) {
     std::ofstream("out.csv", std::ios::binary) << text;
     fs::create_symlink("out.csv", "link.csv"), fs::create_hard_link("out.csv", "hard.csv");
@@ -1100,6 +1105,7 @@ TEST_F(InputFile, MayHaveAnyName) {
       if (*form != '\0') words.emplace_back(form);
       const Outcome outcome = run_here(words);
       EXPECT_EQ(outcome.status, 0) << command.name << outcome.errors;
+      if (command.name == "nvh") fs::remove("out.csv");  // a sound, no text
       for (const std::string& text : {outcome.output, outcome.errors, contents("out.csv")})
         expect_plain(text);
     }

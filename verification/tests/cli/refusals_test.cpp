@@ -85,6 +85,7 @@ class Refusals : public Drawing {
                           {"design", fmt::format("design CASE --band {0}:{0} --length {1} --force {2}", hz,
                                                  range("beam.length"), range("beam.axial_force"))},
                           {"squeal", "squeal CASE --speed 0.1 --modes 2 --settle 1"},
+                          {"nvh", "nvh CASE --windows 2"},
                           {"periodic", "periodic CASE --settle 1"}};
     for (const studies::Method& method : studies::methods()) {
       const std::string run = fmt::format(" CASE --method {} --duration {}", method.name,
@@ -263,6 +264,12 @@ constexpr std::pair<const char*, const char*> rows_of_options[] = {
     {"design --band 20:30 --amplitude 0", "--amplitude: excitation.amplitude is 0, but must be above 0"},
     {"design --band 20:30 --set beam.axial_force=0", "beam.axial_force is 0, but must be positive"},
     {"design --band 20:30 --length 1e-3:2", "excitation.duration is 10, but must be at most "},
+    {"nvh squeak-stand --transient 5", "--transient is 5, but must be below the duration of 5 s"},
+    {"nvh squeak-stand --method closed-form", "--method is closed-form, but must be one that follows the"},
+    {"nvh squeak-stand --method boundary-integral", "wall.speed is 0.004, but must be 0"},
+    {"nvh squeak-stand --set numerics.time_step=1e-3",
+     "numerics.time_step is 0.001, but must be at most 0.00081"},
+    {"nvh squeak-stand --duration 1e5", "excitation.duration is 1e+05, but must be at most 3245 here"},
     {"squeal paper", "wall.speed is 0, but must be other than 0"},
     {"squeal reed --speed 0", "--speed: wall.speed is 0, but must be other than 0"},
     {"squeal reed --set numerics.elements=201", "numerics.elements is 201, but must be at most 200 here"},

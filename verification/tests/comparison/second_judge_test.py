@@ -434,6 +434,7 @@ class Package(unittest.TestCase):
         axes = {"x": "frequency=20:30:2", "y": "amplitude=1e-4:1e-3:2"}
         calls = {"cases": ([], {}), "criterion": (["paper"], {"excitation__amplitude": "1 mm"}), "design": (["paper"], {"band": "25:26"}),
                  "map": (["damped"], {**axes, "quantity": "travel,period"}), "modes": (["paper"], {"count": 2}),
+                 "nvh": (["squeak-stand"], {"duration": 1}),
                  "periodic": (["damped"], {"settle": 1}), "respond": (["damped"], {"duration": 0.02, "method": "event-driven"}),
                  "squeal": (["reed"], {"settle": 5}), "sweep": (["damped"], {"parameter": "amplitude=1e-3:2e-3:2", "settle": 1}),
                  "uncertainty": (["uncertain"], {"samples": 100})}

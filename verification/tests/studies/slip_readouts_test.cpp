@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+/// The read-outs of stick-slip: of motions that are known, and alike by two methods.
+
+#include "studies/analyses/slip_readouts.hpp"
+
+#include "stickslip/data/case_file.hpp"
+#include "stickslip/data/reference.hpp"
+#include "studies/history/method.hpp"
+#include "support/command_line.hpp"
+#include "support/testing.hpp"
+
+namespace stickslip::testing {
+namespace {
+
+using data::ContactChange, data::ContactState;
+
+// z and f are sines with whole periods in a window; mu N = 1 N, and the wall rests.
+studies::SlipReadouts readouts_of_sines(double hz) {
+  studies::History history;
+  for (int n = 0; n <= 44100; ++n) {
+    const double t = n / 44100.0, turn = 2.0 * std::numbers::pi * t;
+    history.rows.push_back({.time = t,
+                            .tip_displacement = 1e-3 * std::sin(10.0 * turn),
+                            .friction_force = 5.0 + 2.0 * std::sin(hz * turn),
+                            .state = ContactState::slip});
+  }
+  return studies::slip_readouts(data::load_case("sdnd100"), history, {});
+}
+
+// Slips of 1 ms and 0.1 mm at mu N = 1 N, so many in each of ten seconds; every second one is late by a part of the period.
+studies::SlipReadouts readouts_of_slips(int rate, double late) {
+  studies::History history;
+  const auto row = [&](double time, double y, ContactState state) {
+    history.rows.push_back({.time = time, .tip_displacement = y, .friction_force = 1.0, .state = state});
+  };
+  double y = 0.0;
+  row(0.0, y, ContactState::stick);
+  for (int n = 0; n < 10 * rate; ++n, y += 1e-4) {
+    const double start = (n + 0.5 + (n % 2 == 1 ? late : 0.0)) / rate, end = start + 1e-3;
+    history.events.push_back({ContactChange::onset, start, y, 0.0});
+    row(0.5 * (start + end), y + 0.5e-4, ContactState::slip);
+    history.events.push_back({ContactChange::capture, end, y + 1e-4, 0.0});
+    row((n + 1.0) / rate, y + 1e-4, ContactState::stick);
+  }
+  return studies::slip_readouts(data::load_case("sdnd100"), history, {});
+}
+
+STICKSLIP_VERIFIES(SlipReadouts, "W4");
+TEST(SlipReadouts, OfSinesAreThoseOfSines) {
+  constexpr double quarter = 0.5 * std::numbers::pi, per_row = 2.0 * std::numbers::pi * 10.0 / 44100.0;
+  const auto rows = [&](double scale) {
+    return discretisation(scale * per_row, 1.0, "a row beside the exact place");
+  };
+  for (const auto& [hz, weighting] : {std::pair{1000.0, 0.0}, {100.0, -19.1}, {8000.0, -1.1}}) {
+    const auto sines = readouts_of_sines(hz);
+    EXPECT_TRUE(within(sines.peak_to_peak.value, 2e-3, rows(1e-3 * per_row)));
+    EXPECT_TRUE(within(sines.distance_95, 1e-3 * std::sin(0.95 * quarter), rows(1e-3 * 0.1)));
+    EXPECT_TRUE(within(sines.distance_99, 1e-3 * std::sin(0.99 * quarter), rows(1e-3 * 0.1)));
+    EXPECT_TRUE(within(sines.travel, 0.04, rows(0.04 * per_row)));
+    EXPECT_NEAR(sines.slip_share.value, 1.0, 1e-12);
+    EXPECT_NEAR(sines.peak_hz, hz, 0.5);
+    EXPECT_TRUE(within(sines.peak_force, 2.0, discretisation(2.0 * 8e-4, 1.0, "flat-top window")));
+    EXPECT_NEAR(sines.force_level, 20.0 * std::log10(std::sqrt(2.0)), 1e-3);
+    EXPECT_NEAR(sines.a_weighted_level - sines.force_level, weighting, 0.06) << hz;  // a table of 0.1 dB
+    EXPECT_EQ(sines.sound, "none");
+  }
+}
+
+TEST(SlipReadouts, OfSlipsAreTheirNumbers) {
+  for (const auto& [rate, late, sound] :
+       {std::tuple{30, 0.0, "squeal"}, {30, 0.3, "tick"}, {10, 0.0, "tick"}}) {
+    const auto slips = readouts_of_slips(rate, late);
+    EXPECT_EQ(slips.slips, 10U * static_cast<unsigned>(rate));
+    EXPECT_TRUE(within(slips.travel, 1e-3 * rate, round_off(1000, 1, 0.1)));
+    for (const auto& [mean, each] : {std::pair{slips.travel_rate, 1e-4},
+                                     {slips.friction_power, 1e-4},
+                                     {slips.slip_rate, 1.0},
+                                     {slips.slip_share, 1e-3}}) {
+      EXPECT_NEAR(mean.value, each * rate, 1e-10 * each * rate);
+      EXPECT_NEAR(mean.upper, mean.value, 1e-10 * mean.value);
+    }
+    EXPECT_NEAR(slips.slips_per_travel, 1e4, 1e-6);
+    EXPECT_NEAR(slips.spacing * rate, 1.0, 0.01);
+    EXPECT_NEAR(slips.spacing_variation, late, 0.01);
+    EXPECT_EQ(slips.sound, sound);
+  }
+}
+
+// mu N times the travel, of which the set has N times, of a mass on a shaken plane, from 4 to 12 s.
+TEST(SlipReadouts, OfAShakenPlaneAreAsPublished) {
+  const data::ReferenceTable powers = data::read_table(data::load_reference(), "friction-powers");
+  for (std::size_t row = 0; row < powers.rows(); ++row) {
+    const double expected = 0.1 * powers.column("power").values[row];
+    const data::Case shaken =
+        with_value(data::load_case("sdnd104"), "wall.scale", powers.column("amplitude").values[row]);
+    const studies::ReadoutOptions options{.transient = 4.0};
+    const auto history =
+        studies::event_driven().run(shaken, {.every = studies::readout_row_step(shaken, options)}, {}, {});
+    EXPECT_TRUE(within(studies::slip_readouts(shaken, history, options).friction_power.value, expected,
+                       reference(1e-12 + 1e-6 * expected, "tolerance of the set")));
+  }
+}
+
+// One wall of constant speed, one that shakes, and a record. Empirical: 0.1 %, and 0.02 dB.
+TEST(SlipReadouts, AreAlikeByTwoMethods) {
+  for (const std::string name : {"squeak-stand", "sdnd104", "recorded-mass"}) {
+    const data::Case problem = with_value(data::load_case(name), "numerics.velocity_threshold", 0.0);
+    const auto by = [&](const studies::Method& method) {
+      return studies::slip_readouts(
+          problem, method.run(problem, {.every = studies::readout_row_step(problem, {})}, {}, {}), {});
+    };
+    const auto exact = by(studies::event_driven()), steps = by(studies::finite_elements());
+    EXPECT_EQ(steps.slips, exact.slips) << name;
+    EXPECT_GT(exact.slips, 0U) << name;
+    for (const auto& value : {&studies::SlipReadouts::travel, &studies::SlipReadouts::distance_95,
+                              &studies::SlipReadouts::distance_99, &studies::SlipReadouts::peak_force})
+      EXPECT_NEAR(steps.*value, exact.*value, 1e-3 * exact.*value) << name;
+    for (const auto& mean : {&studies::SlipReadouts::slip_share, &studies::SlipReadouts::friction_power})
+      EXPECT_NEAR((steps.*mean).value, (exact.*mean).value, 1e-3 * (exact.*mean).value) << name;
+    EXPECT_NEAR(steps.a_weighted_level, exact.a_weighted_level, 0.02) << name;
+  }
+}
+
+class SlipSound : public CommandLine {};
+
+// The spacing of slips is the period of the limit cycle that shooting finds; the force of stick is v t k, over 5 s.
+STICKSLIP_VERIFIES(SlipSound, "W4");
+TEST_F(SlipSound, OfTheStandIsThatOfItsLimitCycle) {
+  const auto answer = json("nvh squeak-stand --transient 0.5 --audio squeak.wav");
+  EXPECT_EQ(answer["sound"], "squeal");
+  EXPECT_EQ(answer["method"], "event-driven");
+  const double period = json("squeal squeak-stand")["cycle"]["period_s"];
+  EXPECT_NEAR(answer["spacing_s"], period, 1e-8 * period);
+  EXPECT_NEAR(answer["slips"], 4.5 / period, 1.0);
+  const std::string wav = contents("squeak.wav");
+  const auto number = [&](std::size_t at, std::size_t bytes) {
+    std::size_t value = 0;
+    for (std::size_t i = bytes; i-- > 0;) value = 256 * value + static_cast<unsigned char>(wav.at(at + i));
+    return value;
+  };
+  EXPECT_EQ(wav.substr(0, 4) + wav.substr(8, 8) + wav.substr(36, 4), "RIFFWAVEfmt data");
+  EXPECT_EQ(wav.substr(16, 20), std::string("\x10\0\0\0\1\0\1\0\x44\xac\0\0\x88\x58\1\0\2\0\x10\0", 20));
+  EXPECT_EQ(number(4, 4), wav.size() - 8);
+  EXPECT_EQ(number(40, 4), wav.size() - 44);
+  const double row_step = answer["row_step_s"], rows = answer["rows"];
+  EXPECT_NEAR(static_cast<double>(number(40, 4)) / 2.0, 1.0 + 44100.0 * row_step * (rows - 1.0), 1.0);
+  int largest = 0;
+  for (std::size_t at = 44; at < wav.size(); at += 2)
+    largest = std::max(largest, std::abs(static_cast<std::int16_t>(number(at, 2))));
+  EXPECT_GT(largest, 32000);  // a line between rows may cut the peak
+}
+
+}  // namespace
+}  // namespace stickslip::testing
