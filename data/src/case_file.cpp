@@ -541,7 +541,8 @@ NumericalChoices default_numerics(const Structure& structure, double highest_hz,
   NumericalChoices choices = model != nullptr
                                  ? model_numerics(*model, highest_hz, duration)
                                  : beam_numerics(std::get<Beam>(structure), highest_hz, duration, damping);
-  choices.time_step = std::max(choices.time_step, duration / most_steps);
+  if (std::isfinite(duration))  // else refused by its name
+    choices.time_step = std::max(choices.time_step, duration / most_steps);
   return choices;
 }
 
