@@ -92,7 +92,7 @@ std::vector<double> corners(const ContactModel& model, const RandomDrive& drive)
     all.push_back(edge);
   std::erase_if(all, [&](double hz) { return hz < lowest || hz > highest; });
   std::ranges::sort(all);
-  all.erase(std::ranges::unique(all).begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
   return all;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
@@ -147,6 +148,31 @@ void StickPropagator::set_drive() {
   free_.resize(count);
 }
 
+// The coefficients of z_k under these of F_k, and its free_, on a piece of this length.
+void StickPropagator::set_series(std::size_t k, std::span<const Complex> load, double length) {
+  const Complex lambda = eigenvalue_[k];
+  const double turn = std::sqrt(std::norm(lambda)) * length;
+  const std::size_t size = load.size();
+  auto& series = series_[k];
+  if (turn < 1.0) {
+    terms_[k] = 2;
+    for (double term = turn; term > kEpsilon && terms_[k] + size < most_terms; ++terms_[k])
+      term *= turn / static_cast<double>(terms_[k]);
+    terms_[k] += size;
+    series[0] = initial_[k];
+    for (std::size_t j = 0; j + 1 < terms_[k]; ++j)
+      series[j + 1] = (lambda * series[j] + (j < size ? load[j] : 0.0)) / static_cast<double>(j + 1);
+    free_[k] = 0.0;
+    return;
+  }
+  terms_[k] = size;
+  const Complex inverse = std::conj(lambda) / std::norm(lambda);
+  series[size - 1] = -load[size - 1] * inverse;
+  for (std::size_t j = size - 1; j-- > 0;)
+    series[j] = (static_cast<double>(j + 1) * series[j + 1] - load[j]) * inverse;
+  free_[k] = initial_[k] - series[0];
+}
+
 // From the values of the z_k at begin_, initial_, on the piece of the drive.
 void StickPropagator::enter_piece() {
   const ContactModel& model = dynamics_.model();
@@ -168,29 +194,10 @@ void StickPropagator::enter_piece() {
     force_series_[j] = sum(force_row_, j) + dynamics_.held_stiffness() * wall[j] - model.base_load * base[j];
   force_series_[0] += dynamics_.held_stiffness() * position_ - model.contact_force;
   for (std::size_t k = 0; k < eigenvalue_.size(); ++k) {
-    const Complex lambda = eigenvalue_[k];
-    const double turn = std::sqrt(std::norm(lambda)) * length;
-    auto& series = series_[k];
     std::array<Complex, std::tuple_size_v<Polynomial>> load{};
     for (std::size_t j = 0; j < size; ++j) load[j] = sum(drive_rows_[k], j);
-    if (turn < 1.0) {
-      terms_[k] = 2;
-      for (double term = turn; term > kEpsilon && terms_[k] + size < most_terms; ++terms_[k])
-        term *= turn / static_cast<double>(terms_[k]);
-      terms_[k] += size;
-      series[0] = initial_[k];
-      for (std::size_t j = 0; j + 1 < terms_[k]; ++j)
-        series[j + 1] = (lambda * series[j] + (j < size ? load[j] : 0.0)) / static_cast<double>(j + 1);
-      free_[k] = 0.0;
-    } else {
-      terms_[k] = size;
-      const Complex inverse = std::conj(lambda) / std::norm(lambda);
-      series[size - 1] = -load[size - 1] * inverse;
-      for (std::size_t j = size - 1; j-- > 0;)
-        series[j] = (static_cast<double>(j + 1) * series[j + 1] - load[j]) * inverse;
-      free_[k] = initial_[k] - series[0];
-    }
-    for (std::size_t j = 0; j < terms_[k]; ++j) force_series_[j] += (force_weight_[k] * series[j]).real();
+    set_series(k, std::span(load).first(size), length);
+    for (std::size_t j = 0; j < terms_[k]; ++j) force_series_[j] += (force_weight_[k] * series_[k][j]).real();
   }
   decays_.assign(free_.size(), 1.0);
   decays_at_ = 0.0;

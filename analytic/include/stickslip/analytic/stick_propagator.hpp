@@ -4,6 +4,7 @@
 #include <array>
 #include <complex>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "stickslip/analytic/contact_dynamics.hpp"
@@ -68,6 +69,7 @@ class StickPropagator {
   void set_forcing();
   void set_drive();
   void enter_piece();
+  void set_series(std::size_t k, std::span<const Complex> load, double length);
   [[nodiscard]] Complex coordinate(std::size_t k, double t) const;
   /// exp(λ_k tau) of each free_ that is not 0; an instant is often asked for more than once.
   [[nodiscard]] const std::vector<Complex>& decays(double tau) const;
