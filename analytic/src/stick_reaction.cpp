@@ -25,19 +25,12 @@ double angular_frequency(const data::Case& problem) {
 }
 
 StickResponse exact_response(const data::Case& problem, int modes) {
-  const data::HarmonicExcitation unit(
-      {.frequency_hz = problem.excitation().frequency_hz(), .amplitude = 1.0});
-  return {problem.beam(), unit, modes, SteadyPart::exact};
+  return {problem.beam(), of_unit_load(problem).excitation(), modes, SteadyPart::exact};
 }
 
 Bounds widened(const Bounds& force, double by) { return {std::max(0.0, force.lower - by), force.upper + by}; }
 
 ModalReaction undamped_reaction(const data::Case& problem);
-
-// The case whose forces are those of StickReaction.
-data::Case of_unit_load(const data::Case& problem) {
-  return is_proportional_to_scale(problem) ? with(problem, problem.general_motion()->scaled(1.0)) : problem;
-}
 
 // Of a general motion, with what modes left out can change if it is asked for and known.
 Bounds of_motion(const data::Case& problem, int modes, bool with_omitted) {
@@ -77,6 +70,13 @@ bool is_proportional_to_scale(const data::Case& problem) {
 double load(const data::Case& problem) {
   if (!problem.has(data::Feature::general_motion)) return problem.excitation().amplitude();
   return is_proportional_to_scale(problem) ? problem.general_motion()->scale() : 1.0;
+}
+
+data::Case of_unit_load(const data::Case& problem) {
+  if (!problem.has(data::Feature::general_motion))
+    return with(problem, data::HarmonicExcitation(
+                             {.frequency_hz = problem.excitation().frequency_hz(), .amplitude = 1.0}));
+  return is_proportional_to_scale(problem) ? with(problem, problem.general_motion()->scaled(1.0)) : problem;
 }
 
 // With g = Ω³ √(α β), h = κ δ Ω α, ω the lowest frequency left out, x = Ω/ω and q = 1/(1 - x²).
@@ -243,10 +243,9 @@ Bounds steady_reaction(const data::Case& problem) {
     return exactly(exact_response(problem, modes_of_all(problem).first).steady_force_amplitude());
   }
   if (problem.model() == nullptr && wall_share(problem) == 1.0 && problem.damping.is_kelvin_voigt()) {
-    const data::HarmonicExcitation unit(
-        {.frequency_hz = problem.excitation().frequency_hz(), .amplitude = 1.0});
-    return exactly(std::abs(
-        DampedSteadyState(problem.beam(), unit, problem.damping, TipSupport::held).friction_force()));
+    return exactly(std::abs(DampedSteadyState(problem.beam(), of_unit_load(problem).excitation(),
+                                              problem.damping, TipSupport::held)
+                                .friction_force()));
   }
   const Bounds force = StickReaction(problem, modes_of_all(problem).first).damped_steady();
   const double infinite = std::numeric_limits<double>::infinity();

@@ -98,15 +98,7 @@ class Forces {
   // Per unit of analytic::load().
   [[nodiscard]] analytic::Bounds force_per_load(const data::Case& problem) const {
     if (!by_elements_) return reactions_.of(problem).largest();
-    if (problem.has(data::Feature::general_motion)) {
-      const bool is_scaled = analytic::is_proportional_to_scale(problem);
-      const double of_motion = solver::max_abs_friction_force(
-          is_scaled ? with(problem, problem.general_motion()->scaled(1.0)) : problem);
-      return {of_motion, of_motion};
-    }
-    const data::HarmonicExcitation unit(
-        {.frequency_hz = problem.excitation().frequency_hz(), .amplitude = 1.0});
-    const double force = solver::max_abs_friction_force(with(problem, unit));
+    const double force = solver::max_abs_friction_force(analytic::of_unit_load(problem));
     return {force, force};
   }
 

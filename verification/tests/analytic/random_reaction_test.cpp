@@ -47,6 +47,13 @@ PowerSpectrum flat(double from_hz, double to_hz, double density = 1.0) {
   return spectrum;
 }
 
+// The closed form and realisations of the band that another program computed.
+struct Judged {
+  data::Case problem = random_case_of(flat(5.0, 200.0), 10.0);
+  analytic::RandomReaction reaction = random_reaction(model_of(problem), analytic::random_drive(problem));
+  RandomRealisations realisations{model_of(problem), analytic::random_drive(problem), 10.0};
+};
+
 // 137.43829486 N by another program, with the inertia of all modes.
 STICKSLIP_VERIFIES(RandomReaction, "A15");
 TEST(RandomReaction, HasAPublishedDeviation) {
@@ -135,11 +142,9 @@ TEST(RandomReaction, HasTheVarianceOfItsRealisations) {
 
 // Counted crossings of both bounds in 400 realisations against Rice's rate.
 TEST(RandomReaction, CrossesAsOftenAsRiceSays) {
-  const data::Case problem = random_case_of(flat(5.0, 200.0), 10.0);
-  const auto model = model_of(problem);
-  const auto drive = analytic::random_drive(problem);
-  const auto reaction = random_reaction(model, drive);
-  const RandomRealisations realisations(model, drive, problem.numerics.duration());
+  const Judged judged;
+  const auto& reaction = judged.reaction;
+  const auto& realisations = judged.realisations;
   constexpr std::size_t count = 400;
   for (const double level : {1.0, 2.0, 2.5, 3.0}) {
     const double limit = level * reaction.deviation;
@@ -153,18 +158,16 @@ TEST(RandomReaction, CrossesAsOftenAsRiceSays) {
     const double mean = std::accumulate(crossings.begin(), crossings.end(), 0.0) / count;
     double spread = 0.0;
     for (const double one : crossings) spread += std::pow(one - mean, 2) / (count - 1.0) / count;
-    const double expected = reaction.crossings(limit) * problem.numerics.duration();
+    const double expected = reaction.crossings(limit) * judged.problem.numerics.duration();
     EXPECT_TRUE(within(mean, expected, reference(3.3 * std::sqrt(spread), "3.3 standard errors"))) << level;
   }
 }
 
 // At 3.5 deviations another program counted 0.787, where Poisson's law says 0.95 and Vanmarcke's 0.94.
 TEST(RandomReaction, ExceedsLessOftenThanTheLawsSay) {
-  const data::Case problem = random_case_of(flat(5.0, 200.0), 10.0);
-  const auto model = model_of(problem);
-  const auto drive = analytic::random_drive(problem);
-  const auto reaction = random_reaction(model, drive);
-  const RandomRealisations realisations(model, drive, problem.numerics.duration());
+  const Judged judged;
+  const auto& reaction = judged.reaction;
+  const auto& realisations = judged.realisations;
   const double limit = 3.5 * reaction.deviation;
   constexpr std::size_t count = 1000;
   std::vector<char> exceeds(count);

@@ -44,6 +44,8 @@ struct OmittedForce {
 /// What the forces here are multiplied by for those of the case: the amplitude of one sine, m; where is_proportional_to_scale(), the scale;
 /// of other general motions 1.
 [[nodiscard]] double load(const data::Case& problem);
+/// The case with load() = 1, whose forces are those here.
+[[nodiscard]] data::Case of_unit_load(const data::Case& problem);
 
 /// The reaction of one case. That of a general motion is motion_reaction(), which knows largest() and exceeds() alone; what asks for more
 /// throws what Case::excitation() throws. The largest |f| of a random motion is the one with even odds, RandomReaction::exceeded_with(0.5).
