@@ -115,7 +115,7 @@ double ContactDynamics::fastest() const {
 }
 
 void ContactDynamics::enter(double t) const {
-  if (!cursor_) return;
+  if (!cursor_ || (t >= entered_.first && t < entered_.second)) return;
   const DrivePiece& piece = cursor_->enter(t);
   base_[0] = piece.base;
   wall_[0] = piece.wall;
@@ -123,6 +123,7 @@ void ContactDynamics::enter(double t) const {
     base_[k] = derivative(base_[k - 1]);
     wall_[k] = derivative(wall_[k - 1]);
   }
+  entered_ = {piece.begin, piece.end};
 }
 
 double ContactDynamics::piece_end() const {

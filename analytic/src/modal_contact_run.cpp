@@ -16,6 +16,8 @@ namespace {
 
 using Complex = std::complex<double>;
 
+constexpr double resolved = 2.0;  // |λ_k| h of modes that are propagated exactly
+
 // Accelerations at rest under a load and the contact force f.
 std::vector<double> accelerations(const ContactDynamics& dynamics, const LoadFactors& load, double f) {
   const std::size_t m = dynamics.modes();
@@ -23,6 +25,27 @@ std::vector<double> accelerations(const ContactDynamics& dynamics, const LoadFac
   std::vector<double> result(m + 1);
   result[m] = dynamics.accelerate(view(rest.data(), m), load, f, std::span(result).first(m));
   return result;
+}
+
+// ∫_0^1 exp(y (1 - x)) L_j(x) dx with the parabolas L_j that are 1 in x = 0, 1/2 or 1 and 0 in the others; from the moments
+// M_k = ∫ exp(y (1 - x)) x^k dx = Σ_j y^j k!/(j + k + 1)! = (k M_(k-1) - 1)/y.
+std::array<Complex, 3> parabola_shares(Complex y) {
+  std::array<Complex, 3> moment{};
+  if (std::abs(y) < 1.0) {
+    for (std::size_t k = 0; k < moment.size(); ++k) {
+      Complex term = 1.0 / static_cast<double>(k + 1);
+      for (int j = 1; std::abs(term) > 1e-17; ++j) {
+        moment.at(k) += term;
+        term *= y / static_cast<double>(static_cast<int>(k) + 1 + j);
+      }
+    }
+  } else {
+    moment[0] = (std::exp(y) - 1.0) / y;
+    moment[1] = (moment[0] - 1.0) / y;
+    moment[2] = (2.0 * moment[1] - 1.0) / y;
+  }
+  return {moment[0] - 3.0 * moment[1] + 2.0 * moment[2], 4.0 * (moment[1] - moment[2]),
+          2.0 * moment[2] - moment[1]};
 }
 
 }  // namespace
@@ -62,7 +85,6 @@ ModalContactRun::ModalContactRun(const ContactModes& modes, const ContactModel& 
   require(model.wall_speed == 0.0, "wall.speed", model.wall_speed, "0 (m/s) in fixed steps");
   const double omega = model.load_angular_frequency, angle = 2.0 * std::numbers::pi / steps_per_period;
   const double h = time_step_ = angle / omega;
-  constexpr double resolved = 2.0;
   const ContactDynamics dynamics(model);
   const std::size_t half = model.modes() + 1;
   const std::vector<double> by_force = accelerations(dynamics, {}, 1.0),
@@ -91,16 +113,50 @@ ModalContactRun::ModalContactRun(const ContactModes& modes, const ContactModel& 
     set(block.turn, turn);
     set(block.input, share * force);
     weight_ += (share * force).real();
-    add_load(k, sine, cosine);
+    if (!model.drive) add_load(k, sine, cosine);
   }
+  if (model.drive) set_drive(motion_.emplace(model));
   for (std::size_t n = 0; n <= period_; ++n) {
     sine_.push_back(std::sin(angle * static_cast<double>(n)));
     cosine_.push_back(std::cos(angle * static_cast<double>(n)));
     offset_.push_back(-model.wall_amplitude * omega * cosine_.back());
-    for (const Drive& steady : steady_)
+    for (const Steady& steady : steady_)
       offset_.back() += steady.sine.real() * sine_.back() + steady.cosine.real() * cosine_.back();
   }
   set_friction();
+}
+
+void ModalContactRun::set_drive(const ContactDynamics& dynamics) {
+  const std::size_t half = model_.modes() + 1;
+  for (const auto factor : {&LoadFactors::sine, &LoadFactors::cosine, &LoadFactors::base}) {
+    LoadFactors unit;
+    unit.*factor = 1.0;
+    const std::vector<double> by_load = accelerations(dynamics, unit, 0.0);
+    if (std::ranges::all_of(by_load, [](double each) { return each == 0.0; })) continue;
+    Channel channel{.factor = factor};
+    for (auto& inputs : channel.inputs) inputs.resize(blocks_.size());
+    for (std::size_t k = 0; k < modes_->eigenvalue_.size(); ++k) {
+      Complex load;
+      for (std::size_t n = 0; n < half; ++n)
+        load += modes_->inverse_[k * modes_->size_ + half + n] * by_load[n];
+      const Complex y = modes_->eigenvalue_[k] * time_step_, trapezoid = 0.5 / (1.0 - 0.5 * y);
+      const auto shares =
+          std::abs(y) > resolved ? std::array{trapezoid, Complex(), trapezoid} : parabola_shares(y);
+      for (std::size_t j = 0; j < shares.size(); ++j) {
+        const Complex input = time_step_ * shares.at(j) * load;
+        channel.inputs.at(j)[k / lanes].real[k % lanes] = input.real();
+        channel.inputs.at(j)[k / lanes].imaginary[k % lanes] = input.imag();
+        channel.weights.at(j) += input.real();
+      }
+    }
+    channels_.push_back(std::move(channel));
+  }
+}
+
+double ModalContactRun::wall_velocity() const {
+  if (!motion_) return model_.wall_amplitude * model_.load_angular_frequency * cosine_[phase_];
+  motion_->enter(time());
+  return motion_->wall_velocity(time());
 }
 
 void ModalContactRun::add_load(std::size_t mode, Complex sine, Complex cosine) {
@@ -137,7 +193,8 @@ void ModalContactRun::start_stuck() {
   start({.amplitudes = std::vector<double>(model_.modes()),
          .rates = std::vector<double>(model_.modes()),
          .displacement = 0.0,
-         .velocity = model_.wall_amplitude * model_.load_angular_frequency});
+         .velocity =
+             motion_ ? motion_->wall_velocity(0.0) : model_.wall_amplitude * model_.load_angular_frequency});
 }
 
 void ModalContactRun::start(const ContactKinematics& state) {
@@ -150,10 +207,10 @@ void ModalContactRun::start(const ContactKinematics& state) {
     for (std::size_t i = 0; i < y.size(); ++i) z += modes_->inverse_[k * modes_->size_ + i] * y[i];
     free_velocity_ += add(k, z);
   }
-  for (const Drive& steady : steady_) free_velocity_ += add(steady.mode, -steady.cosine);
+  for (const Steady& steady : steady_) free_velocity_ += add(steady.mode, -steady.cosine);
   steps_ = phase_ = 0;
   friction_force_ = force_before_ = change_ = change_before_ = 0.0;
-  const double wall = model_.wall_amplitude * model_.load_angular_frequency;
+  const double wall = wall_velocity();
   sliding_velocity_ = state.velocity - wall;
   if (std::abs(sliding_velocity_) <= 4.0 * std::numeric_limits<double>::epsilon() * std::abs(wall))
     sliding_velocity_ = 0.0;
@@ -164,7 +221,8 @@ void ModalContactRun::start(const ContactKinematics& state) {
 // To the end of the step, with the force that acts on the contact in it.
 void ModalContactRun::advance(double force) {
   std::array<double, lanes> sums{};
-  for (Block& block : blocks_) {
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    Block& block = blocks_[b];
     const ComplexLanes turn = block.turn, input = block.input, z = block.amplitude;
     ComplexLanes next;
     for (std::size_t l = 0; l < lanes; ++l)
@@ -172,12 +230,19 @@ void ModalContactRun::advance(double force) {
     for (std::size_t l = 0; l < lanes; ++l)
       next.imaginary[l] =
           turn.real[l] * z.imaginary[l] + turn.imaginary[l] * z.real[l] + input.imaginary[l] * force;
+    for (const Channel& channel : channels_)
+      for (std::size_t j = 0; j < channel.values.size(); ++j) {
+        const ComplexLanes& by = channel.inputs[j][b];
+        const double value = channel.values[j];
+        for (std::size_t l = 0; l < lanes; ++l) next.real[l] += by.real[l] * value;
+        for (std::size_t l = 0; l < lanes; ++l) next.imaginary[l] += by.imaginary[l] * value;
+      }
     for (std::size_t l = 0; l < lanes; ++l)
       sums[l] += turn.real[l] * next.real[l] - turn.imaginary[l] * next.imaginary[l];
     block.amplitude = next;
   }
   free_velocity_ = (sums[0] + sums[1]) + (sums[2] + sums[3]);
-  for (const Drive& at : resonant_)
+  for (const Steady& at : resonant_)
     free_velocity_ += add(at.mode, at.sine * sine_[phase_] + at.cosine * cosine_[phase_]);
   ++steps_;
   if (++phase_ == period_) phase_ = 0;
@@ -193,10 +258,30 @@ double ModalContactRun::add(std::size_t mode, Complex value) {
   return block.turn.real[l] * value.real() - block.turn.imaginary[l] * value.imag();
 }
 
+// The values of the next step, and what they add to its free velocity.
+void ModalContactRun::add_drive() {
+  const double begin = time(), middle = begin + 0.5 * time_step_, end = begin + time_step_;
+  const std::array<double, 3> times{begin, middle, end};
+  for (std::size_t j = 0; j < times.size(); ++j) {
+    if (j == 0 || times.at(j) > motion_->piece_end()) motion_->enter(times.at(j));
+    const LoadFactors load = motion_->load(times.at(j));
+    for (Channel& channel : channels_) {
+      channel.values.at(j) = load.*channel.factor;
+      free_velocity_ += channel.weights.at(j) * channel.values.at(j);
+    }
+  }
+  free_velocity_ -= motion_->wall_velocity(end);
+}
+
 // What does not depend on the amplitudes.
 void ModalContactRun::add_load() {
+  if (motion_) {
+    free_velocity_ += weight_ * model_.contact_force;
+    add_drive();
+    return;
+  }
   free_velocity_ += offset_[phase_ + 1] + weight_ * model_.contact_force;
-  for (const Drive& at : resonant_)
+  for (const Steady& at : resonant_)
     free_velocity_ += at.sine.real() * sine_[phase_] + at.cosine.real() * cosine_[phase_];
 }
 
@@ -289,7 +374,7 @@ std::vector<Complex> ModalContactRun::amplitudes() const {
     values[k] = {blocks_[k / lanes].amplitude.real[k % lanes],
                  blocks_[k / lanes].amplitude.imaginary[k % lanes]};
   const std::size_t n = phase_;
-  for (const Drive& steady : steady_)
+  for (const Steady& steady : steady_)
     values[steady.mode] += steady.sine * sine_[n] + steady.cosine * cosine_[n];
   return values;
 }
@@ -301,8 +386,7 @@ ContactKinematics ModalContactRun::state() const {
     for (std::size_t i = 0; i < y.size(); ++i) y[i] += (modes_->shape_[i * z.size() + k] * z[k]).real();
   for (std::size_t n = 0; n < modes_->scale_.size(); ++n) y[n] /= modes_->scale_[n];
   ContactKinematics state = copy(view(y.data(), model_.modes()));
-  state.velocity = sliding_velocity_ + model_.wall_amplitude * model_.load_angular_frequency *
-                                           cosine_[phase_];  // in stick exactly that of the wall
+  state.velocity = sliding_velocity_ + wall_velocity();  // in stick exactly that of the wall
   return state;
 }
 
@@ -311,7 +395,10 @@ double ModalContactRun::contact_position() const {
   const std::vector<Complex> z = amplitudes();
   double position = 0.0;
   for (std::size_t k = 0; k < z.size(); ++k) position += (modes_->shape_[m * z.size() + k] * z[k]).real();
-  return position / modes_->scale_[m] - model_.wall_amplitude * sine_[phase_];
+  position /= modes_->scale_[m];
+  if (!motion_) return position - model_.wall_amplitude * sine_[phase_];
+  motion_->enter(time());
+  return position - motion_->wall_displacement(time());
 }
 
 }  // namespace stickslip::analytic

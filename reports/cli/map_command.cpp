@@ -133,7 +133,8 @@ void add_motion_options(CLI::App& command, MapOptions& options) {
   command
       .add_option("--quantity", options.quantity,
                   "What to map: the verdict of the criterion, or of the motion " + quantities +
-                      "where a period is that of the base; some with commas between them give a column each")
+                      "where a period is that of a base that moves by one sine; some with commas between "
+                      "them give a column each")
       ->type_name("NAME")
       ->capture_default_str();
   command

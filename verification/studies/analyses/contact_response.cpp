@@ -5,9 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "stickslip/analytic/contact_model.hpp"
 #include "stickslip/data/input_error.hpp"
@@ -36,11 +39,15 @@ double squared_return(std::span<const Sample> samples, std::size_t period) {
 
 // What adds up over steps, or is the largest.
 struct Sums {
-  std::size_t slip_steps{}, captures{}, doubtful{};
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::size_t slip_steps{}, onsets{}, captures{}, doubtful{};
   double peak_speed{}, squares{}, travel{}, work{}, largest_force{};
+  double least{infinity}, largest{-infinity};  // z
+  std::vector<double> places{};                // z of the rows
 
   void add(const Sums& other) {
     slip_steps += other.slip_steps;
+    onsets += other.onsets;
     captures += other.captures;
     doubtful += other.doubtful;
     peak_speed = std::max(peak_speed, other.peak_speed);
@@ -48,11 +55,14 @@ struct Sums {
     travel += other.travel;
     work += other.work;
     largest_force = std::max(largest_force, other.largest_force);
+    least = std::min(least, other.least);
+    largest = std::max(largest, other.largest);
+    places.insert(places.end(), other.places.begin(), other.places.end());
   }
 };
 
-// One period of the base motion.
-Sums period_of_motion(analytic::ModalContactRun& run, int steps) {
+// One period of the base motion, in which the tip moves from `place`, with a row each so many steps.
+Sums period_of_motion(analytic::ModalContactRun& run, int steps, int row_step, double& place) {
   Sums sums;
   double before = run.sliding_velocity();
   bool slipped = run.slips();
@@ -60,6 +70,7 @@ Sums period_of_motion(analytic::ModalContactRun& run, int steps) {
     run.step();
     const double after = run.sliding_velocity(), mean = 0.5 * (before + after), force = run.friction_force();
     sums.slip_steps += run.slips() ? 1 : 0;
+    sums.onsets += !slipped && run.slips() ? 1 : 0;
     sums.captures += slipped && !run.slips() ? 1 : 0;
     sums.doubtful += run.may_hide_stick() ? 1 : 0;
     sums.peak_speed = std::max(sums.peak_speed, std::abs(after));
@@ -67,6 +78,10 @@ Sums period_of_motion(analytic::ModalContactRun& run, int steps) {
     sums.travel += std::abs(mean);
     sums.work -= force * mean;
     sums.largest_force = std::max(sums.largest_force, std::abs(force));
+    place += mean * run.time_step();
+    sums.least = std::min(sums.least, place);
+    sums.largest = std::max(sums.largest, place);
+    if (n % row_step == 0) sums.places.push_back(place);
     before = after;
     slipped = run.slips();
   }
@@ -75,9 +90,29 @@ Sums period_of_motion(analytic::ModalContactRun& run, int steps) {
   return sums;
 }
 
-MotionValues values_of(const Sums& sums, std::span<const Sample> samples, int steps_per_period) {
-  const auto periods = static_cast<double>(samples.size() - 1);
-  const double steps = periods * steps_per_period;
+// The 95th and the 99th percentile of the distance from the mean, to a row.
+std::pair<double, double> distances_of(std::vector<double> places) {
+  const auto count = static_cast<double>(places.size());
+  const double mean = std::accumulate(places.begin(), places.end(), 0.0) / count;
+  for (double& place : places) place = std::abs(place - mean);
+  const auto at = [&](double share) {
+    const auto found = places.begin() + static_cast<std::ptrdiff_t>(share * (count - 1.0));
+    std::ranges::nth_element(places, found);
+    return *found;
+  };
+  const double of_95 = at(0.95);
+  return {of_95, at(0.99)};
+}
+
+// What sums are over.
+struct Extent {
+  double periods{}, steps{}, time_step{};
+};
+
+MotionValues values_of(Sums sums, std::span<const Sample> samples, const Extent& extent) {
+  const auto [periods, steps, time_step] = extent;
+  const double duration = steps * time_step;
+  const auto [distance_95, distance_99] = distances_of(std::move(sums.places));
   return {.slip_share = static_cast<double>(sums.slip_steps) / steps,
           .peak_speed = sums.peak_speed,
           .rms_speed = std::sqrt(sums.squares / steps),
@@ -85,7 +120,14 @@ MotionValues values_of(const Sums& sums, std::span<const Sample> samples, int st
           .work = sums.work / periods,
           .largest_force = sums.largest_force,
           .sticks = static_cast<double>(sums.captures) / periods,
-          .period = static_cast<double>(period_of(samples))};
+          .period = samples.empty() ? 0.0 : static_cast<double>(period_of(samples)),
+          .travel_rate = sums.travel / duration,
+          .power = sums.work / duration,
+          .slip_rate = static_cast<double>(sums.onsets) / duration,
+          .slips_per_travel = sums.travel > 0.0 ? static_cast<double>(sums.onsets) / sums.travel : 0.0,
+          .peak_to_peak = sums.largest - sums.least,
+          .distance_95 = distance_95,
+          .distance_99 = distance_99};
 }
 
 struct Record {
@@ -94,32 +136,42 @@ struct Record {
   double hidden_sticks{};  // in a period, that may be shorter than a step
 };
 
-Record record_of(analytic::ModalContactRun& run, const ResponseGrid& grid) {
+Record record_of(analytic::ModalContactRun& run, const ResponseGrid& grid, bool is_sine) {
+  constexpr long most_rows = 1 << 21;
+  const int steps = grid.steps_per_period, half = grid.recorded / 2;
+  const int row_step = static_cast<int>(std::min<long>(
+      steps, std::max({1L, steps / 32L, static_cast<long>(grid.recorded) * steps / most_rows})));
   run.start_stuck();
-  for (int n = 0; n < grid.transient * grid.steps_per_period; ++n) run.step();
-  const int half = grid.recorded / 2;
-  std::vector<Sample> samples{run.amplitudes()};
+  for (long n = 0; n < static_cast<long>(grid.transient) * steps; ++n) run.step();
+  std::vector<Sample> samples;
+  if (is_sine) samples.push_back(run.amplitudes());
   std::array<Sums, 2> halves;
+  double place = 0.0;
   for (int period = 0; period < grid.recorded; ++period) {
-    halves[period < half ? 0 : 1].add(period_of_motion(run, grid.steps_per_period));
-    samples.push_back(run.amplitudes());
+    halves[period < half ? 0 : 1].add(period_of_motion(run, steps, row_step, place));
+    if (is_sine) samples.push_back(run.amplitudes());
   }
-  const std::span all(samples);
-  const auto of = [&](const Sums& sums, std::span<const Sample> part) {
-    return values_of(sums, part, grid.steps_per_period);
+  const auto of = [&](const Sums& sums, int periods, std::size_t from) {
+    const std::span all(samples);
+    return values_of(sums, is_sine ? all.subspan(from, static_cast<std::size_t>(periods) + 1) : all,
+                     {static_cast<double>(periods), static_cast<double>(periods) * steps, run.time_step()});
   };
-  const auto middle = static_cast<std::size_t>(half);
-  Record record{.first = of(halves[0], all.first(middle + 1)), .second = of(halves[1], all.subspan(middle))};
+  Record record{.first = of(halves[0], half, 0),
+                .second = of(halves[1], half, static_cast<std::size_t>(half))};
   halves[0].add(halves[1]);
   record.slips = halves[0].slip_steps > 0;
-  record.whole = of(halves[0], all);
+  record.whole = of(halves[0], grid.recorded, 0);
   record.hidden_sticks = static_cast<double>(halves[0].doubtful) / grid.recorded;
   return record;
 }
 
 // What whole steps leave open: each slip begins and ends somewhere in a step, and a short stick may be missed.
-double resolution_of(const MotionQuantity& quantity, const Record& record, const ResponseGrid& grid) {
+double resolution_of(const MotionQuantity& quantity, const Record& record, const ResponseGrid& grid,
+                     double period) {
   if (quantity.value == &MotionValues::sticks) return record.hidden_sticks;
+  if (quantity.value == &MotionValues::slip_rate) return record.hidden_sticks / period;
+  if (quantity.value == &MotionValues::slips_per_travel)
+    return record.whole.travel > 0.0 ? record.hidden_sticks / record.whole.travel : 0.0;
   if (quantity.value != &MotionValues::slip_share) return 0.0;
   return (record.whole.sticks + record.hidden_sticks) / grid.steps_per_period;
 }
@@ -205,7 +257,7 @@ int period_of(std::span<const Sample> samples) {
 
 int steps_per_period(const data::Case& problem) {
   constexpr double least_pairs = 16.0, most_pairs = 1e8;
-  const double period = 1.0 / problem.excitation().frequency_hz();
+  const double period = 1.0 / data::highest_frequency_hz(problem);
   const double pairs = std::ceil(0.5 * period / problem.numerics.time_step() - rounding);
   if (pairs > most_pairs)
     throw data::FieldError("numerics.time_step", problem.numerics.time_step(),
@@ -215,7 +267,7 @@ int steps_per_period(const data::Case& problem) {
 }
 
 ResponseGrid response_grid(const data::Case& problem, double transient) {
-  const double period = 1.0 / problem.excitation().frequency_hz(), duration = problem.numerics.duration();
+  const double period = 1.0 / data::highest_frequency_hz(problem), duration = problem.numerics.duration();
   const double left_out = std::ceil(transient / period - rounding);
   const double recorded = std::floor(duration / period + rounding) - left_out;
   if (!(recorded >= 2.0))
@@ -239,16 +291,18 @@ ContactResponse contact_response(const data::Case& problem, double transient,
   if (modes == nullptr) modes = &own.emplace(model);
   analytic::ModalContactRun fine(*modes, model, grid.steps_per_period),
       coarse(*modes, model, grid.steps_per_period / 2);
-  const Record record = record_of(fine, grid);
+  const bool is_sine = !problem.has(data::Feature::general_motion);
+  const double period = fine.time_step() * grid.steps_per_period;
+  const Record record = record_of(fine, grid, is_sine);
   ResponseGrid coarser = grid;
   coarser.steps_per_period /= 2;
-  const Record check = record_of(coarse, coarser);
+  const Record check = record_of(coarse, coarser, is_sine);
   ContactResponse response{.slips = record.slips, .values = {}, .changes = {}};
   for (const MotionQuantity& quantity : motion_quantities) {
     const auto of = quantity.value;
     const auto [value, change] =
         checked(quantity, {record.whole.*of, record.first.*of, record.second.*of, check.whole.*of},
-                resolution_of(quantity, record, grid));
+                resolution_of(quantity, record, grid, period));
     response.values.*of = value;
     response.changes.*of = change;
   }

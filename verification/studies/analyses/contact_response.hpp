@@ -26,6 +26,14 @@ struct MotionValues {
   double largest_force{};  ///< largest |f|, N
   double sticks{};         ///< number of times in a period that the tip comes to stick
   double period{};  ///< of the motion in periods of the base motion, 1 ... 16; 0 if none of these is found
+  double travel_rate{};       ///< distance slid, m/s
+  double power{};             ///< that friction dissipates, W
+  double slip_rate{};         ///< slips, 1/s: how often the tip begins to slip
+  double slips_per_travel{};  ///< their number over the distance slid, 1/m; 0 without one
+  double peak_to_peak{};      ///< max z - min z of the displacement z of the tip on the wall, m
+  double
+      distance_95{};  ///< 95th percentile of |z - mean z|, m; of at least 32 values in a period, at most 2^21
+  double distance_99{};  ///< 99th percentile, m
 };
 
 struct MotionQuantity {
@@ -33,6 +41,7 @@ struct MotionQuantity {
   std::string_view column, unit;  ///< of a table
   std::string_view label;         ///< of a figure
   double MotionValues::*value;
+  bool is_of_a_period{};  ///< so that it needs a base motion of one sine
 };
 
 inline constexpr std::array motion_quantities{
@@ -41,11 +50,22 @@ inline constexpr std::array motion_quantities{
                    &MotionValues::peak_speed},
     MotionQuantity{"rms-speed", "rms_speed_m_per_s", "m/s", "rms sliding speed / (m/s)",
                    &MotionValues::rms_speed},
-    MotionQuantity{"travel", "travel_m", "m", "travel in a period / m", &MotionValues::travel},
-    MotionQuantity{"work", "work_J", "J", "work of friction in a period / J", &MotionValues::work},
+    MotionQuantity{"travel", "travel_m", "m", "travel in a period / m", &MotionValues::travel, true},
+    MotionQuantity{"work", "work_J", "J", "work of friction in a period / J", &MotionValues::work, true},
     MotionQuantity{"largest-force", "largest_force_N", "N", "largest |f| / N", &MotionValues::largest_force},
-    MotionQuantity{"sticks", "sticks", "1", "sticks in a period", &MotionValues::sticks},
-    MotionQuantity{"period", "period", "1", "period of the motion", &MotionValues::period}};
+    MotionQuantity{"sticks", "sticks", "1", "sticks in a period", &MotionValues::sticks, true},
+    MotionQuantity{"period", "period", "1", "period of the motion", &MotionValues::period, true},
+    MotionQuantity{"travel-rate", "travel_m_per_s", "m/s", "travel / (m/s)", &MotionValues::travel_rate},
+    MotionQuantity{"power", "power_W", "W", "power of friction / W", &MotionValues::power},
+    MotionQuantity{"slip-rate", "slips_per_s", "1/s", "slips / (1/s)", &MotionValues::slip_rate},
+    MotionQuantity{"slips-per-travel", "slips_per_m", "1/m", "slips over travel / (1/m)",
+                   &MotionValues::slips_per_travel},
+    MotionQuantity{"peak-to-peak", "peak_to_peak_m", "m", "tip on wall, peak to peak / m",
+                   &MotionValues::peak_to_peak},
+    MotionQuantity{"distance-95", "distance_95_m", "m", "95 % of |distance from mean| / m",
+                   &MotionValues::distance_95},
+    MotionQuantity{"distance-99", "distance_99_m", "m", "99 % of |distance from mean| / m",
+                   &MotionValues::distance_99}};
 
 /// The quantity with this name. Throws std::invalid_argument if there is none.
 [[nodiscard]] const MotionQuantity& motion_quantity(std::string_view name);
@@ -54,7 +74,7 @@ inline constexpr std::array motion_quantities{
 struct ResponseValue {
   double value{};
   /// The spread of four values over the largest of them, 0 ... 1: of the record, of each half of it, and of the
-  /// record with twice the time step. The spread of a share of slip includes one step for each slip, and that of a number of sticks
+  /// record with twice the time step. The spread of a share of slip includes one step for each slip, and that of a number of slips or sticks
   /// those that ModalContactRun::may_hide_stick(). For a period 0 if all four are found and the same, else 1. 1 if the motion is not
   /// finite.
   double change{};
@@ -69,7 +89,7 @@ struct ContactResponse {
   }
 };
 
-/// How a response is cut into periods of the base motion.
+/// How a response is cut into periods of the base motion, of a general one into those of its highest frequency.
 struct ResponseGrid {
   int steps_per_period{};
   int transient{};  ///< periods that do not count

@@ -13,6 +13,7 @@
 
 #include "stickslip/analytic/stick_reaction.hpp"
 #include "stickslip/data/case_file.hpp"
+#include "stickslip/data/input_text.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "studies/common/parallel.hpp"
 
@@ -233,6 +234,14 @@ void require_axes(const MapTask& task) {
                            ", but must be two parameters");
   for (const double value : x.values) (void)with_value(problem, x.parameter, value);
   for (const double value : y.values) (void)with_value(problem, y.parameter, value);
+  for (const MotionQuantity* quantity : task.quantities)
+    if (quantity->is_of_a_period && problem.has(data::Feature::general_motion)) {
+      std::vector<std::string> others;
+      for (const MotionQuantity& other : motion_quantities)
+        if (!other.is_of_a_period) others.emplace_back(other.name);
+      throw data::FieldError("--quantity", std::string(quantity->name),
+                             "one of " + data::joined(others) + ": this motion has no period");
+    }
   if (task.quantities.empty())
     require_friction(case_at(task, 0, 0));
   else  // the lowest frequency has the longest period

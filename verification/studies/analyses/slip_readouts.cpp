@@ -156,8 +156,10 @@ long readout_row_step(const data::Case& problem, const ReadoutOptions& options) 
                     "first natural frequency, and in a window",
                     1.0 / least));
   if (least * duration > most_rows)
-    throw data::FieldError("excitation.duration", duration,
-                           fmt::format("at most {:.4g} here, for four million rows", most_rows / least));
+    throw data::FieldError(
+        "excitation.duration", duration,
+        fmt::format("at most {:.4g} here, for four million rows; map --quantity takes longer ones",
+                    most_rows / least));
   const double rate = std::max(least, std::min({of_sound, 1.0 / time_step, usual_rows / duration}));
   return static_cast<long>((1.0 + 1e-9) / (rate * time_step));
 }

@@ -152,26 +152,31 @@ Found found_in_fixed_steps(const data::Case& problem, const Times& times) {
   const analytic::ContactModel model = studies::response_model(problem);
   const analytic::ContactModes modes(model);
   const double force = problem.beam().axial_force();
-  analytic::ModalContactRun run(modes, model,
-                                static_cast<int>(std::lround(1.0 / (problem.excitation().frequency_hz() *
-                                                                    problem.numerics.time_step()))));
+  analytic::ModalContactRun run(
+      modes, model,
+      static_cast<int>(std::lround(2.0 * std::numbers::pi /
+                                   (model.load_angular_frequency * problem.numerics.time_step()))));
   run.start_stuck();
   Found found;
   const auto keep = rows_at(times, run.time_step(), found.rows);
+  const analytic::ContactDynamics dynamics(model);
+  const auto tip = [&] {
+    dynamics.enter(run.time());
+    return run.contact_position() + dynamics.base_displacement(run.time()) +
+           dynamics.wall_displacement(run.time());
+  };
   std::vector<ContactEvent> events;
   double before = 0.0;
   for (double direction = 0.0; run.time() < problem.numerics.duration();) {
-    const double start = run.time(), position = run.contact_position();
+    const double start = run.time(), position = tip();
     run.step();
     const double after = run.sliding_velocity(), now = run.slips() ? std::copysign(1.0, after) : 0.0;
-    keep({.time = run.time(),
-          .tip_displacement = run.contact_position(),
-          .midspan_displacement = std::nan("")});
+    keep({.time = run.time(), .tip_displacement = tip(), .midspan_displacement = std::nan("")});
     if (now != direction)
       events.push_back(direction == 0.0
                            ? ContactEvent{ContactChange::onset, start, position}
                            : ContactEvent{now == 0.0 ? ContactChange::capture : ContactChange::reversal,
-                                          run.time(), run.contact_position()});
+                                          run.time(), tip()});
     const double mean = 0.5 * std::abs(before + after),
                  law = force * solver::friction_coefficient(problem.contact.friction.in_slip(), mean);
     if (now == 0.0)
@@ -210,12 +215,12 @@ const CaseDomain slipping{.lowest_force = 0.01,
 std::vector<BeamMethod> beam_methods() {
   CaseDomain light = slipping, resting = slipping, quick = slipping;
   light.kelvin_voigt = 0.5;
-  resting.moving_wall = resting.any_motion = 0.0, resting.resonant = 0.3;
+  resting.moving_wall = 0.0, resting.resonant = 0.3;
   quick.longest = 1.5, quick.lowest_frequency = 0.3, quick.ratio = quick.moving_wall = quick.jump = 0.0;
   quick.yielding = 0.2;
   const auto of_case = [](const data::Case& problem) { return problem.numerics.time_step(); };
   const auto of_map = [](const data::Case& problem) {
-    return 1.0 / (problem.excitation().frequency_hz() * studies::steps_per_period(problem));
+    return 1.0 / (data::highest_frequency_hz(problem) * studies::steps_per_period(problem));
   };
   // (omega h)^2/12 of a work by the trapezoidal rule; mode 10 has 50 steps in a period. A change stands on a step, and means over that
   // step and its neighbours decide which one.

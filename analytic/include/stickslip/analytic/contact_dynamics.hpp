@@ -6,6 +6,7 @@
 #include <array>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "stickslip/analytic/contact_model.hpp"
@@ -129,6 +130,7 @@ class ContactDynamics {
   ContactModel model_;
   mutable std::optional<DriveCursor> cursor_;
   mutable std::array<Polynomial, 4> base_{}, wall_{};  // of the piece, with their derivatives
+  mutable std::pair<double, double> entered_{};        // its begin and end
   double free_mass_;  // m_c - a . a: what f_d accelerates when the modes may follow
   static constexpr std::size_t kTogether = 4;
   std::vector<double> damping_columns_;  // C by column, each filled up with zeros to a multiple of kTogether

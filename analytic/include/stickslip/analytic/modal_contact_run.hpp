@@ -21,10 +21,14 @@
 ///
 /// Friction takes the work -h f_d (v_0 + v_1)/2 in a step, and stays passive, only while |λ_k| h < π. Modes with
 /// |λ_k| h > 2 are propagated by the trapezoidal rule, which is passive at any step.
+///
+/// The load of a general motion is in each step the parabola through its values at begin, middle and end. For one of the frequency ω that
+/// is off by at most (ω h)³/124 of its amplitude, with a mean of 0 to the next order; a jump inside of a step is smeared over it.
 
 #include <array>
 #include <complex>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "stickslip/analytic/contact_dynamics.hpp"
@@ -59,7 +63,8 @@ class ContactModes {
 /// A run of a ContactModel.
 class ModalContactRun {
  public:
-  /// `modes`: of this model, whatever its load, wall and friction were; `steps_per_period`: n ≥ 4. Throws
+  /// `modes`: of this model, whatever its load, wall and friction were; `steps_per_period`: n ≥ 4, of a general motion in a period of
+  /// its highest frequency. Throws
   /// data::InputError, naming numerics.time_step, unless κ W < 2, so that each step has one solution, and naming
   /// wall.speed unless that is 0.
   ModalContactRun(const ContactModes& modes, const ContactModel& model, int steps_per_period);
@@ -98,6 +103,9 @@ class ModalContactRun {
   void advance(double force);
   double add(std::size_t mode, Complex value);
   void add_load();
+  void add_drive();
+  void set_drive(const ContactDynamics& dynamics);
+  [[nodiscard]] double wall_velocity() const;  // at the present time
 
   // Four modes beside each other, so that a compiler takes them at once.
   static constexpr std::size_t lanes = 4;
@@ -111,9 +119,16 @@ class ModalContactRun {
   };
   // The part of the load in z_k as sine sin(Ω t) + cosine cos(Ω t): the steady vibration of a mode
   // or, next to resonance, what a step from t adds.
-  struct Drive {
+  struct Steady {
     std::size_t mode{};
     Complex sine, cosine;
+  };
+  // h_tt, h_t or h of a general motion, where the model has a load by it.
+  struct Channel {
+    double LoadFactors::*factor{};
+    std::array<double, 3> values{};                     // at begin, middle and end of the step
+    std::array<std::vector<ComplexLanes>, 3> inputs{};  // what a unit of each adds in a step
+    std::array<double, 3> weights{};                    // Re Σ_k of that
   };
   void add_load(std::size_t mode, Complex sine, Complex cosine);
 
@@ -122,8 +137,10 @@ class ModalContactRun {
   std::size_t period_;  // n
   double time_step_{};
   std::vector<Block> blocks_;
-  std::vector<Drive> steady_, resonant_;
-  std::vector<double> sine_, cosine_;  // of Ω t at the steps of a period
+  std::vector<Steady> steady_, resonant_;
+  std::vector<double> sine_, cosine_;      // of Ω t at the steps of a period
+  std::optional<ContactDynamics> motion_;  // of a general motion
+  std::vector<Channel> channels_;
   std::vector<double> offset_;  // steady velocity of the contact without friction, less that of the wall
   double weight_{};             // W
   double static_limit_{}, kinetic_force_{}, friction_drop_{}, decay_{}, viscous_{};  // the law, N and N s/m
