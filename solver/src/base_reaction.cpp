@@ -10,10 +10,10 @@ namespace stickslip::solver {
 
 BaseReaction::BaseReaction(const data::Case& problem, const BeamSimulation& simulation)
     : simulation_(simulation) {
-  const SparseMatrix& damping = simulation.integrator().system().damping;
   if (problem.model() != nullptr) {
+    const SparseMatrix& damping = simulation.integrator().system().damping;
     ModelMatrices matrices = model_matrices(*problem.model());
-    add(std::move(matrices.base), matrices.rigid_shape, damping - matrices.own_damping);
+    add(std::move(matrices.base), (damping - matrices.own_damping).transpose() * matrices.rigid_shape);
     return;
   }
   const BeamModel& model = simulation.model();
@@ -23,18 +23,19 @@ BaseReaction::BaseReaction(const data::Case& problem, const BeamSimulation& simu
     shift[2 * node] = 1.0;
     turn[2 * node] = problem.beam().length() * static_cast<double>(node + 1) / model.elements();
   }
-  add(model.clamp_force(), shift, damping);
-  add(model.clamp_moment(), turn, damping);
+  const SparseMatrix damping = damping_matrix(model, problem.damping);
+  add(model.clamp_force(), damping * shift);
+  add(model.clamp_moment(), damping * turn);
 }
 
-void BaseReaction::add(MotionRow row, const Eigen::VectorXd& rigid, const SparseMatrix& relative_damping) {
+void BaseReaction::add(MotionRow row, const Eigen::VectorXd& relative_drag) {
   const ContactSystem& system = simulation_.integrator().system();
   const Eigen::VectorXd influence =
       SparseCholesky(filled(system.mass)).solve(simulation_.on_coordinates(row.acceleration));
   row.displacement =
       simulation_.on_coordinates(row.displacement) - system.slip_stiffness.transpose() * influence;
   row.velocity = simulation_.on_coordinates(row.velocity) - system.damping.transpose() * influence;
-  if (relative_damping.nonZeros() > 0) row.velocity -= relative_damping.transpose() * rigid;
+  row.velocity -= simulation_.on_coordinates(relative_drag);
   Row result{std::move(row), influence.dot(system.load_shape), influence[system.contact]};
   for (const ContactSystem::Load& load : system.further_loads)
     result.further.push_back(influence.dot(load.shape));

@@ -42,10 +42,9 @@ Eigen::MatrixXd modal_damping(const BeamModel& model, const data::Damping& dampi
 }  // namespace
 
 Coordinates fastest_coordinates(int elements, const data::Damping& damping, ContactScheme scheme) {
-  constexpr int most_modal_elements = 200;
-  return !damping.is_none() || scheme == ContactScheme::paper || elements > most_modal_elements
-             ? Coordinates::nodal
-             : Coordinates::modal;
+  const int most_modal_elements = damping.is_none() ? 200 : 100;
+  return scheme == ContactScheme::paper || elements > most_modal_elements ? Coordinates::nodal
+                                                                          : Coordinates::modal;
 }
 
 SparseMatrix damping_matrix(const BeamModel& model, const data::Damping& damping) {
@@ -95,7 +94,6 @@ Coordinates coordinates_of(const data::Case& problem, const RunOptions& options)
   if (problem.model() != nullptr) return Coordinates::nodal;
   if (!options.coordinates) return fastest_coordinates(problem.numerics.elements(), problem.damping, scheme);
   if (options.coordinates == Coordinates::nodal) return Coordinates::nodal;
-  data::require_undamped(problem.damping, "0 in modal coordinates, which damping would couple");
   if (scheme == ContactScheme::paper)
     throw std::logic_error(
         "the scheme of the paper overwrites a nodal velocity: it has no modal coordinates");
@@ -154,7 +152,7 @@ BeamSimulation::BeamSimulation(const data::Case& problem, const RunOptions& opti
     velocity = Eigen::VectorXd::Unit(velocity.size(), system.contact) * system.wall.velocity(0.0);
   if (coordinates == Coordinates::modal) {
     const HeldTipBasis basis = held_tip_basis(*model_);
-    system = modal_contact_system(*model_, basis, std::move(system));
+    system = modal_contact_system(*model_, basis, std::move(system), problem.damping.mass_proportional());
     basis_.resize(model_->degrees_of_freedom(), model_->degrees_of_freedom());
     basis_ << basis.modes, basis.static_shape;
     velocity = modal_coordinates(*model_, basis, velocity);
@@ -194,8 +192,10 @@ Eigen::VectorXd BeamSimulation::weights_at(double x) const {
 
 double BeamSimulation::base_displacement() const { return base_.displacement(integrator_->time()); }
 
-double BeamSimulation::displacement(double x) const {
-  return base_displacement() + weights_at(x).dot(integrator_->displacement());
+double BeamSimulation::displacement(double x) const { return displacement(weights_at(x)); }
+
+double BeamSimulation::displacement(const Eigen::VectorXd& weights) const {
+  return base_displacement() + weights.dot(integrator_->displacement());
 }
 
 double BeamSimulation::tip_displacement() const {
@@ -215,7 +215,7 @@ long step_count(double duration, double time_step) { return std::lround(duration
 double max_abs_friction_force(const data::Case& problem, std::optional<Coordinates> coordinates) {
   const RunOptions options{.is_bonded = true, .coordinates = coordinates};
   const long steps = step_count(problem.numerics.duration(), problem.numerics.time_step());
-  if (coordinates_of(problem, options) == Coordinates::modal)
+  if (problem.damping.is_none() && coordinates_of(problem, options) == Coordinates::modal)
     return ModalStickRun(problem).max_abs_friction_force(steps);
   BeamSimulation simulation(with(problem, data::FrictionLaw({}), data::TangentialContact(), data::Wall()),
                             options);
@@ -232,7 +232,7 @@ std::optional<double> first_slip(const data::Case& problem, std::optional<Coordi
   // The linear run, tens of times as fast, has the forces of these steps to rounding, far less than this margin.
   constexpr double margin = 1e-6;
   if (problem.contact.compliance.is_rigid() && problem.contact.wall.speed() == 0.0 &&
-      coordinates_of(problem, options) == Coordinates::modal &&
+      problem.damping.is_none() && coordinates_of(problem, options) == Coordinates::modal &&
       max_abs_friction_force(problem, Coordinates::modal) <
           (1.0 - margin) * problem.contact.friction.static_coefficient() * problem.normal_force())
     return std::nullopt;

@@ -34,9 +34,12 @@ ContactMobility::ContactMobility(const ContactSystem& system)
     throw std::runtime_error("eigenvalues of the free contact did not converge");
   eigenvalues_ = modes.eigenvalues();
   angular_frequencies_ = eigenvalues_.cwiseMax(0.0).cwiseSqrt();
-  const Eigen::VectorXd at_contact = modes.eigenvectors().row(contact_);
-  participation_ = at_contact.cwiseAbs2();
-  follower_ = (modes.eigenvectors().transpose() * follower).cwiseProduct(at_contact);
+  at_contact_ = modes.eigenvectors().row(contact_);
+  follower_ = modes.eigenvectors().transpose() * follower;
+  if (!is_damped()) return;
+  modal_damping_ = modes.eigenvectors().transpose() * (damping_ * modes.eigenvectors());
+  damping_diagonal_ = modal_damping_.diagonal();
+  modal_damping_.diagonal().setZero();
 }
 
 ContactMobility::Complex ContactMobility::operator()(Complex s) const {
@@ -54,22 +57,41 @@ ContactMobility::Complex ContactMobility::discrete(Complex zeta, double h, doubl
   return share * velocity * receptance(acceleration, share * velocity, share * displacement);
 }
 
-// r(m, c, k).
+// r(m, c, k), from the amplitudes x of the modes under a unit force on the contact. Damping couples them little, so that Jacobi's iteration
+// finds them: it divides by the diagonal only. Where it does not converge, the matrix is factorised.
 ContactMobility::Complex ContactMobility::receptance(Complex m, Complex c, Complex k) const {
-  if (damping_.nonZeros() > 0) {
-    using ComplexMatrix = Eigen::SparseMatrix<Complex>;
-    const Eigen::SparseLU<ComplexMatrix, Eigen::NaturalOrdering<int>> factorised(ComplexMatrix(
-        m * mass_.cast<Complex>() + c * damping_.cast<Complex>() + k * stiffness_.cast<Complex>()));
-    return factorised.solve(Eigen::VectorXcd(Eigen::VectorXcd::Unit(mass_.rows(), contact_)))[contact_];
-  }
-  Complex a = 0.0, b = 0.0;
-  for (Eigen::Index j = 0; j < eigenvalues_.size(); ++j) {
+  const auto by_modes = [&](const auto& amplitude) {
+    Complex a = 0.0, b = 0.0;
+    for (Eigen::Index j = 0; j < eigenvalues_.size(); ++j) {
+      const Complex x = amplitude(j);
+      a += at_contact_[j] * x;
+      b += follower_[j] * x;
+    }
+    return a / (1.0 + k * b);
+  };
+  const auto uncoupled = [&](Eigen::Index j) {
     const Complex stiffness = m + k * eigenvalues_[j];
-    const Complex flexibility = std::conj(stiffness) / std::norm(stiffness);
-    a += participation_[j] * flexibility;
-    b += follower_[j] * flexibility;
+    return at_contact_[j] * std::conj(stiffness) / std::norm(stiffness);
+  };
+  if (!is_damped()) return by_modes(uncoupled);
+  constexpr int most_rounds = 40;
+  constexpr double rounding = 1e-14;
+  const Eigen::VectorXcd diagonal =
+      m + k * eigenvalues_.array().cast<Complex>() + c * damping_diagonal_.array().cast<Complex>();
+  Eigen::VectorXcd x = at_contact_.cast<Complex>().cwiseQuotient(diagonal), coupled(x.size());
+  for (int round = 0; round < most_rounds; ++round) {
+    coupled.real() = modal_damping_ * x.real();
+    coupled.imag() = modal_damping_ * x.imag();
+    const Eigen::VectorXcd next = (at_contact_.cast<Complex>() - c * coupled).cwiseQuotient(diagonal);
+    const double change = (next - x).squaredNorm();
+    x = next;
+    if (change <= rounding * rounding * x.squaredNorm())
+      return by_modes([&](Eigen::Index j) { return x[j]; });
   }
-  return a / (1.0 + k * b);
+  using ComplexMatrix = Eigen::SparseMatrix<Complex>;
+  const Eigen::SparseLU<ComplexMatrix, Eigen::NaturalOrdering<int>> factorised(ComplexMatrix(
+      m * mass_.cast<Complex>() + c * damping_.cast<Complex>() + k * stiffness_.cast<Complex>()));
+  return factorised.solve(Eigen::VectorXcd(Eigen::VectorXcd::Unit(mass_.rows(), contact_)))[contact_];
 }
 
 }  // namespace stickslip::solver

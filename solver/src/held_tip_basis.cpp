@@ -19,6 +19,14 @@ long double quadratic_form(const SparseMatrix& matrix, const Eigen::VectorXd& x)
   return sum;
 }
 
+// [Φ σ]ᵀ C [Φ σ].
+SparseMatrix in_basis(const SparseMatrix& damping, const HeldTipBasis& basis) {
+  if (damping.norm() == 0.0) return {damping.rows(), damping.cols()};
+  Eigen::MatrixXd columns(damping.rows(), damping.cols());
+  columns << basis.modes, basis.static_shape;
+  return Eigen::MatrixXd(columns.transpose() * (damping * columns)).sparseView();
+}
+
 }  // namespace
 
 HeldTipBasis held_tip_basis(const BeamModel& model) {
@@ -45,7 +53,8 @@ Eigen::VectorXd modal_coordinates(const BeamModel& model, const HeldTipBasis& ba
   return coordinates;
 }
 
-ContactSystem modal_contact_system(const BeamModel& model, const HeldTipBasis& basis, ContactSystem system) {
+ContactSystem modal_contact_system(const BeamModel& model, const HeldTipBasis& basis, ContactSystem system,
+                                   double mass_proportional) {
   const Eigen::Index modes = basis.modes.cols(), tip = modes;
   const Eigen::VectorXd &sigma = basis.static_shape, inertia = model.mass() * sigma;
   const Eigen::VectorXd coupling = basis.modes.transpose() * inertia;
@@ -66,8 +75,10 @@ ContactSystem modal_contact_system(const BeamModel& model, const HeldTipBasis& b
 
   Eigen::VectorXd load(modes + 1);
   load << basis.modes.transpose() * system.load_shape, sigma.dot(system.load_shape);
+  // Of the share of the mass, the modes stay apart to the last digit.
+  const SparseMatrix rest = in_basis(system.damping - mass_proportional * system.mass, basis);
+  system.damping = SparseMatrix(rest + mass_proportional * mass).pruned();
   system.mass = mass;
-  system.damping = SparseMatrix(modes + 1, modes + 1);
   system.stick_stiffness = stick;
   system.slip_stiffness = slip;
   system.load_shape = load;

@@ -11,7 +11,7 @@ namespace stickslip::studies {
 
 namespace {
 
-HistoryRow row_of(const solver::BeamSimulation& simulation, const std::vector<double>& positions) {
+HistoryRow row_of(const solver::BeamSimulation& simulation, const std::vector<Eigen::VectorXd>& positions) {
   HistoryRow row{.time = simulation.integrator().time(),
                  .base_displacement = simulation.base_displacement(),
                  .tip_displacement = simulation.tip_displacement(),
@@ -19,7 +19,7 @@ HistoryRow row_of(const solver::BeamSimulation& simulation, const std::vector<do
                  .sliding_velocity = simulation.integrator().sliding_velocity(),
                  .friction_force = simulation.friction_force(),
                  .state = simulation.integrator().state()};
-  for (const double x : positions) row.displacement.push_back(simulation.displacement(x));
+  for (const auto& weights : positions) row.displacement.push_back(simulation.displacement(weights));
   return row;
 }
 
@@ -32,6 +32,9 @@ History finite_element_history(const data::Case& problem, const Sampling& sampli
   if (sampling.with_reactions) reaction.emplace(problem, simulation);
   if (reaction && simulation.integrator().contact_mass() == 0.0)
     throw data::FieldError("model.mass_matrix", "0 at the contact", "above 0 there where --columns is given");
+  std::vector<Eigen::VectorXd> positions;
+  const std::vector<Eigen::VectorXd> none;
+  for (const double x : sampling.positions) positions.push_back(simulation.weights_at(x));
   History history;
   long done = 0;
   const auto step_to = [&](long step) {
@@ -39,8 +42,7 @@ History finite_element_history(const data::Case& problem, const Sampling& sampli
   };
   step_to(for_each_row(problem, sampling, [&](long step, double) {
     step_to(step);
-    HistoryRow row =
-        row_of(simulation, step % sampling.positions_every == 0 ? sampling.positions : std::vector<double>());
+    HistoryRow row = row_of(simulation, step % sampling.positions_every == 0 ? positions : none);
     if (reaction) {
       row.tip_acceleration = simulation.tip_acceleration();
       row.base_reaction = reaction->force();

@@ -103,8 +103,9 @@ struct SlipRun {
   std::vector<double> force, tip, midspan, elsewhere;
 };
 
-SlipRun run_of(const data::NumericalSettings& numerics, Coordinates coordinates, double amplitude = 1e-3) {
-  BeamSimulation run(with(paper_problem(25.0, amplitude), numerics), {.coordinates = coordinates});
+SlipRun run_of(const data::NumericalSettings& numerics, const data::Damping& damping, Coordinates coordinates,
+               double amplitude = 1e-3) {
+  BeamSimulation run(with(paper_problem(25.0, amplitude), numerics, damping), {.coordinates = coordinates});
   SlipRun result;
   for (long n = solver::step_count(numerics.duration(), numerics.time_step()); n > 0; --n) {
     run.integrator().step();
@@ -119,20 +120,29 @@ SlipRun run_of(const data::NumericalSettings& numerics, Coordinates coordinates,
 
 STICKSLIP_VERIFIES(ModalSteps, "F11");
 // Rounding, 1e-16 of the motion in each of 2500 steps, grows with every change of contact as any disturbance does: it moves less than
-// 1e-12 of the amplitude does.
+// 1e-12 of the amplitude does. Damping holds disturbances of the motion back but not rounding: there it is 1e-11, an empirical number.
 TEST(ModalSteps, HaveTheHistoryOfTheNodalRun) {
   const data::NumericalSettings numerics(paper_choices(0.25));
-  const SlipRun nodal = run_of(numerics, Coordinates::nodal), modal = run_of(numerics, Coordinates::modal),
-                disturbed = run_of(numerics, Coordinates::nodal, 1e-3 * (1.0 + 1e-12));
-  ASSERT_GE(nodal.events.size(), 50u);
-  const auto apart = studies::largest_difference(modal.events, nodal.events, nodal.events.size()),
-             allowed = studies::largest_difference(disturbed.events, nodal.events, nodal.events.size());
-  EXPECT_EQ(modal.events.size(), nodal.events.size());
-  EXPECT_LE(apart.time, allowed.time);
-  EXPECT_LE(apart.position, allowed.position);
-  for (const auto values : {&SlipRun::force, &SlipRun::tip, &SlipRun::midspan, &SlipRun::elsewhere})
-    EXPECT_LE(studies::largest_difference(modal.*values, nodal.*values),
-              studies::largest_difference(disturbed.*values, nodal.*values));
+  for (const data::Damping& damping :
+       {data::Damping(), data::Damping({.kelvin_voigt = 1e-4}), data::Damping({.ratio = 0.02}),
+        data::Damping({.mass_proportional = 1.0}),
+        data::Damping({.kelvin_voigt = 2e-5, .ratio = 0.01, .mass_proportional = 0.5})}) {
+    SCOPED_TRACE(fmt::format("eta {}, zeta {}, c {}", damping.kelvin_voigt(), damping.ratio(),
+                             damping.mass_proportional()));
+    const SlipRun nodal = run_of(numerics, damping, Coordinates::nodal),
+                  modal = run_of(numerics, damping, Coordinates::modal),
+                  disturbed = run_of(numerics, damping, Coordinates::nodal,
+                                     1e-3 * (1.0 + (damping.is_none() ? 1e-12 : 1e-11)));
+    ASSERT_GE(nodal.events.size(), 20u);
+    const auto apart = studies::largest_difference(modal.events, nodal.events, nodal.events.size()),
+               allowed = studies::largest_difference(disturbed.events, nodal.events, nodal.events.size());
+    EXPECT_EQ(modal.events.size(), nodal.events.size());
+    EXPECT_LE(apart.time, allowed.time);
+    EXPECT_LE(apart.position, allowed.position);
+    for (const auto values : {&SlipRun::force, &SlipRun::tip, &SlipRun::midspan, &SlipRun::elsewhere})
+      EXPECT_LE(studies::largest_difference(modal.*values, nodal.*values),
+                studies::largest_difference(disturbed.*values, nodal.*values));
+  }
 }
 
 TEST(ModalSteps, StopWhereTheStateIsNotFinite) {
@@ -146,15 +156,7 @@ TEST(ModalSteps, StopWhereTheStateIsNotFinite) {
   }
 }
 
-TEST(ModalSteps, RefusesDampingAndCoupling) {
-  for (const data::Damping& damping :
-       {data::Damping({.kelvin_voigt = 1e-5}), data::Damping({.ratio = 0.01})}) {
-    const std::string message = error_message_of<data::FieldError>(
-        [&] { (void)slipping_run(settings(4, 0.9), {.coordinates = Coordinates::modal}, damping); });
-    EXPECT_TRUE(message.starts_with(damping.ratio() > 0.0 ? "damping.ratio is 0.01"
-                                                          : "damping.kelvin_voigt is 1e-05"))
-        << message;
-  }
+TEST(ModalSteps, RefuseCoupling) {
   const BeamModel model(paper_beam(), 4);
   const auto nodal = beam_contact_system(model, paper_problem(25.0, 1e-3));
   const solver::IntegratorSettings modal_steps{
@@ -184,8 +186,8 @@ TEST(FastestCoordinates, AreModalOnSmallMeshes) {
   EXPECT_TRUE(are_modal(1, {}, ContactScheme::located));
   EXPECT_TRUE(are_modal(200, {}, ContactScheme::end_of_step));
   EXPECT_FALSE(are_modal(201, {}, ContactScheme::located));
-  EXPECT_FALSE(are_modal(20, data::Damping({.kelvin_voigt = 1e-5}), ContactScheme::located));
-  EXPECT_FALSE(are_modal(20, data::Damping({.ratio = 0.01}), ContactScheme::located));
+  EXPECT_TRUE(are_modal(100, data::Damping({.kelvin_voigt = 1e-5}), ContactScheme::located));
+  EXPECT_FALSE(are_modal(101, data::Damping({.ratio = 0.01}), ContactScheme::located));
   EXPECT_FALSE(are_modal(20, {}, ContactScheme::paper));
 }
 

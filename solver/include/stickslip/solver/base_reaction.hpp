@@ -31,7 +31,9 @@ class BaseReaction {
     double load{}, contact{};       // of s(t) and of f_d
     std::vector<double> further{};  // of the further loads
   };
-  void add(MotionRow row, const Eigen::VectorXd& rigid, const SparseMatrix& relative_damping);
+  void add(
+      MotionRow row,
+      const Eigen::VectorXd& relative_drag);  // C r of a rigid motion r, what acts between structure and base
   [[nodiscard]] double value(const Row& row) const;
 
   const BeamSimulation& simulation_;

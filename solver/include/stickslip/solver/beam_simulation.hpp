@@ -20,7 +20,7 @@ struct RunOptions {
   std::optional<Coordinates> coordinates{};  ///< else fastest_coordinates()
 };
 
-/// Modal without damping on at most 200 elements, whose modes cost less than some ten thousand steps; nodal elsewhere, and
+/// Modal on at most 200 elements, with damping on 100, whose modes cost less than some ten thousand steps; nodal elsewhere, and
 /// for ContactScheme::paper, which overwrites the velocity of one node.
 [[nodiscard]] Coordinates fastest_coordinates(int elements, const data::Damping& damping,
                                               ContactScheme scheme = ContactScheme::located);
@@ -64,7 +64,6 @@ class BeamSimulation {
   ///
   ///   - naming beam.axial_force, if P is at or over the buckling load, or if P ≤ 0 unless the tip is bonded;
   ///   - if ContactScheme::paper has no velocity threshold;
-  ///   - if Coordinates::modal has damping;
   ///   - if a contact that is not rigid has a jump of the friction law, another scheme than located, a bonded tip,
   ///     or a spring that rounding would load by more than 1e-4 of the limit.
   ///
@@ -73,6 +72,10 @@ class BeamSimulation {
 
   [[nodiscard]] double base_displacement() const;     ///< h, m; 0 where the excitation is a force
   [[nodiscard]] double displacement(double x) const;  ///< y(x) of a beam, m
+  /// The same, of weights_at(x).
+  [[nodiscard]] double displacement(const Eigen::VectorXd& weights) const;
+  /// Of the coordinates of the integrator in the deflection of a beam at x.
+  [[nodiscard]] Eigen::VectorXd weights_at(double x) const;
   [[nodiscard]] double tip_displacement() const;      ///< y(L) of a beam, y of the contact of a model, m
   [[nodiscard]] double tip_acceleration() const;      ///< y_tt there, m/s²; not without mass at the contact
   [[nodiscard]] double midspan_displacement() const;  ///< y(L/2) of a beam, m; else 0
@@ -94,8 +97,6 @@ class BeamSimulation {
   std::unique_ptr<StickSlipIntegrator> integrator_;
   Eigen::MatrixXd basis_;  // of modal coordinates, q = basis_ z; else empty
   Eigen::VectorXd midspan_;
-
-  [[nodiscard]] Eigen::VectorXd weights_at(double x) const;
 };
 
 /// The number of whole steps in a duration: round(duration / time_step).

@@ -20,7 +20,7 @@ namespace stickslip::solver {
 ///     a = Σ_j φ_j[c]²/(m + k λ_j),
 ///     b = Σ_j (l . φ_j) φ_j[c]/(m + k λ_j).
 ///
-/// With damping r takes the factorisation of a sparse matrix each time.
+/// Damping couples these modes, little as a rule: Jacobi's iteration then takes some products with its matrix, else a factorisation.
 ///
 /// For |s| -> infinity, Z = 1/Y = m_c s + c_c + O(1/s), with G = (M⁻¹)_cc:  m_c = 1/G is the mass that an
 /// impulse at the contact meets, c_c = (M⁻¹ C M⁻¹)_cc/G².
@@ -60,11 +60,14 @@ class ContactMobility {
  private:
   [[nodiscard]] Complex receptance(Complex mass_factor, Complex damping_factor,
                                    Complex stiffness_factor) const;
+  [[nodiscard]] bool is_damped() const noexcept { return damping_.nonZeros() > 0; }
 
   SparseMatrix mass_, damping_, stiffness_;
   Eigen::Index contact_;
   Eigen::VectorXd eigenvalues_, angular_frequencies_;  // λ_j and its root
-  Eigen::VectorXd participation_, follower_;           // φ_j[c]², (l . φ_j) φ_j[c]
+  Eigen::VectorXd at_contact_, follower_;              // φ_j[c], l . φ_j
+  Eigen::VectorXd damping_diagonal_;                   // of C in these modes, and the rest of it
+  Eigen::MatrixXd modal_damping_;
   double contact_mass_{}, contact_damping_{};
 };
 

@@ -36,9 +36,9 @@ struct HeldTipBasis {
 [[nodiscard]] Eigen::VectorXd modal_coordinates(const BeamModel& model, const HeldTipBasis& basis,
                                                 const Eigen::VectorXd& nodal);
 
-/// The beam_contact_system() of the model in the coordinates of the basis, without its damping: what Coordinates::modal
-/// takes.
+/// The beam_contact_system() of the model in the coordinates of the basis: what Coordinates::modal takes. `mass_proportional`: of its damping, the part
+/// of M, 1/s.
 [[nodiscard]] ContactSystem modal_contact_system(const BeamModel& model, const HeldTipBasis& basis,
-                                                 ContactSystem system);
+                                                 ContactSystem system, double mass_proportional = 0.0);
 
 }  // namespace stickslip::solver

@@ -33,7 +33,7 @@ enum class ContactScheme {
 /// The coordinates of a run, and what solves the equations of a step. Both give the same numbers up to rounding.
 enum class Coordinates {
   nodal,  ///< any, as deflections and rotations of nodes: factorised sparse matrices, cost linear in their number
-  modal  ///< those of modal_contact_system(): passes over the modes, ten times as fast and more, without damping
+  modal  ///< those of modal_contact_system(): passes over the modes, and a full matrix where damping couples them
 };
 
 struct IntegratorSettings {
