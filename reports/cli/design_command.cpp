@@ -133,6 +133,12 @@ Answer design_answer(const data::Case& problem, const studies::Design& design) {
 
 Answer design(const DesignOptions& options, Outputs& outputs) {
   data::Case problem = load_case(options.problem);
+  if (const auto* motion = problem.general_motion())
+    throw data::FieldError(
+        motion->key(), std::string("given"),
+        "left out: design takes a band of sines; for lengths and axial forces of a beam under this motion "
+        "take "
+        "'map CASE --x length=FROM:TO:COUNT --y force=FROM:TO:COUNT', or 'best change' of criterion");
   analytic::require_contact(problem);
   const Ranges ranges = ranges_of(problem, options);
   problem.numerics = numerics_up_to(ranges.band.upper, problem);
