@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <initializer_list>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "case_options.hpp"
@@ -22,6 +27,7 @@ struct NvhOptions {
   CaseOptions problem{.name = "squeak-stand"};
   std::optional<std::string> method;
   studies::ReadoutOptions readouts;
+  int average{1};
   std::string audio;
 };
 
@@ -39,43 +45,75 @@ const studies::Method& method_for(const data::Case& problem, const NvhOptions& o
   return chosen;
 }
 
-Value window_mean(const studies::Estimate& mean) {
+Value shown(double value) { return std::isfinite(value) ? rounded(value, 6) : Value{nullptr, "none"}; }
+Value shown(std::size_t number) { return count(number); }
+Value shown(const studies::Estimate& mean) {
+  if (!std::isfinite(mean.value)) return {nullptr, "none"};
   return estimated(mean, fmt::format("{:.6g} ({:.4g} ... {:.4g})", mean.value, mean.lower, mean.upper));
 }
 
-Value if_any(double value) { return std::isfinite(value) ? rounded(value, 6) : Value{nullptr, "none"}; }
+double middle_of(const studies::Estimate& mean) { return mean.value; }
+double middle_of(double value) { return value; }
+double middle_of(std::size_t number) { return static_cast<double>(number); }
 
-Answer readouts_answer(const studies::SlipReadouts& readouts, const NvhOptions& options) {
+using Runs = std::vector<studies::SlipReadouts>;
+
+// Of one motion, or the mean over several.
+template <class Number>
+Value number_of(const Runs& runs, Number studies::SlipReadouts::*number) {
+  if (runs.size() == 1) return shown(runs.front().*number);
+  return shown(studies::mean_over(runs, [&](const auto& run) { return middle_of(run.*number); }));
+}
+
+// That of the most.
+std::string_view sound_of(const Runs& runs) {
+  constexpr std::array<std::string_view, 3> sounds{"none", "tick", "squeal"};
+  return *std::ranges::max_element(sounds, {}, [&](std::string_view sound) {
+    return std::ranges::count(runs, sound, &studies::SlipReadouts::sound);
+  });
+}
+
+Answer readouts_answer(const Runs& runs, const NvhOptions& options) {
+  using studies::SlipReadouts;
+  const SlipReadouts& first = runs.front();
   Answer answer(36);
   answer.add_members({{"transient_s", options.readouts.transient},
                       {"percentiles", {95, 99}},
+                      {"realisations", runs.size()},
                       {"least_rows_in_a_period", studies::least_rows_in_a_period},
                       {"audio", options.audio.empty() ? Json() : Json(options.audio)}});
+  if (runs.size() > 1)
+    answer.add_line(fmt::format(
+        "means over {} realisations, with an interval of 95 % by Student's t from one value of each",
+        runs.size()));
   answer.add_line(
       fmt::format("at least {} rows in a period of the motion and of the first natural frequency\n",
                   studies::least_rows_in_a_period));
   for (const LabelledValue& row : std::initializer_list<LabelledValue>{
-           {"rows", "rows", count(readouts.rows)},
-           {"from row to row / s", "row_step_s", exact(readouts.row_step)},
-           {"windows of the means", "windows", count(static_cast<std::size_t>(options.readouts.windows))},
-           {"tip on wall, peak to peak / m", "peak_to_peak_m", window_mean(readouts.peak_to_peak)},
-           {"95 % of |distance from mean| / m", "distance_95_m", rounded(readouts.distance_95, 6)},
-           {"99 % of |distance from mean| / m", "distance_99_m", rounded(readouts.distance_99, 6)},
-           {"travel / m", "travel_m", rounded(readouts.travel, 6)},
-           {"travel / (m/s)", "travel_m_per_s", window_mean(readouts.travel_rate)},
-           {"slips", "slips", count(readouts.slips)},
-           {"slips / (1/s)", "slips_per_s", window_mean(readouts.slip_rate)},
-           {"slips over travel / (1/m)", "slips_per_m", if_any(readouts.slips_per_travel)},
-           {"share of slip", "slip_share", window_mean(readouts.slip_share)},
-           {"spacing of slips / s", "spacing_s", if_any(readouts.spacing)},
-           {"its coefficient of variation", "spacing_variation", if_any(readouts.spacing_variation)},
-           {"sound, by the rule of this program", "sound", word(readouts.sound)},
-           {"power of friction / W", "friction_power_W", window_mean(readouts.friction_power)},
-           {"strongest line of force / Hz", "peak_hz", rounded(readouts.peak_hz, 6)},
-           {"its amplitude / N", "peak_force_N", rounded(readouts.peak_force, 6)},
-           {"levels up to / Hz", "highest_line_hz", rounded(0.5 / readouts.row_step, 6)},
-           {"level of force / dB re 1 N", "force_level_dB", if_any(readouts.force_level)},
-           {"A-weighted / dB re 1 N", "a_weighted_level_dB", if_any(readouts.a_weighted_level)}})
+           {"rows", "rows", count(first.rows)},
+           {"from row to row / s", "row_step_s", exact(first.row_step)},
+           {runs.size() == 1 ? "windows of the means" : "windows of the ranges", "windows",
+            count(static_cast<std::size_t>(options.readouts.windows))},
+           {"tip on wall, peak to peak / m", "peak_to_peak_m", number_of(runs, &SlipReadouts::peak_to_peak)},
+           {"95 % of |distance from mean| / m", "distance_95_m", number_of(runs, &SlipReadouts::distance_95)},
+           {"99 % of |distance from mean| / m", "distance_99_m", number_of(runs, &SlipReadouts::distance_99)},
+           {"travel / m", "travel_m", number_of(runs, &SlipReadouts::travel)},
+           {"travel / (m/s)", "travel_m_per_s", number_of(runs, &SlipReadouts::travel_rate)},
+           {"slips", "slips", number_of(runs, &SlipReadouts::slips)},
+           {"slips / (1/s)", "slips_per_s", number_of(runs, &SlipReadouts::slip_rate)},
+           {"slips over travel / (1/m)", "slips_per_m", number_of(runs, &SlipReadouts::slips_per_travel)},
+           {"share of slip", "slip_share", number_of(runs, &SlipReadouts::slip_share)},
+           {"spacing of slips / s", "spacing_s", number_of(runs, &SlipReadouts::spacing)},
+           {"its coefficient of variation", "spacing_variation",
+            number_of(runs, &SlipReadouts::spacing_variation)},
+           {"sound, by the rule of this program", "sound", word(sound_of(runs))},
+           {"power of friction / W", "friction_power_W", number_of(runs, &SlipReadouts::friction_power)},
+           {"strongest line of force / Hz", "peak_hz", number_of(runs, &SlipReadouts::peak_hz)},
+           {"its amplitude / N", "peak_force_N", number_of(runs, &SlipReadouts::peak_force)},
+           {"levels up to / Hz", "highest_line_hz", shown(0.5 / first.row_step)},
+           {"level of force / dB re 1 N", "force_level_dB", number_of(runs, &SlipReadouts::force_level)},
+           {"A-weighted / dB re 1 N", "a_weighted_level_dB",
+            number_of(runs, &SlipReadouts::a_weighted_level)}})
     answer.add_row(row);
   return answer;
 }
@@ -86,15 +124,24 @@ Answer nvh(const NvhOptions& options, Outputs& outputs) {
   const studies::Sampling sampling{.every = studies::readout_row_step(problem, options.readouts),
                                    .with_midspan = false};
   outputs.set_case(problem);
+  if (options.average > 1) (void)studies::realisation(problem, 0);
   outputs.open({{"--audio", options.audio}});
   report::Progress& progress = outputs.progress();
-  std::vector<studies::HistoryRow> rows;
-  studies::History history = method.run(problem, sampling, {}, [&](const studies::HistoryRow& row) {
-    rows.push_back(row);
-    progress(row.time / problem.numerics.duration());
-  });
-  history.rows = std::move(rows);
-  Answer answer = readouts_answer(studies::slip_readouts(problem, history, options.readouts), options);
+  Runs runs;
+  const auto motion_of = [&](const data::Case& of) {
+    std::vector<studies::HistoryRow> rows;
+    studies::History history = method.run(of, sampling, {}, [&](const studies::HistoryRow& row) {
+      rows.push_back(row);
+      progress((static_cast<double>(runs.size()) + row.time / of.numerics.duration()) / options.average);
+    });
+    history.rows = std::move(rows);
+    runs.push_back(studies::slip_readouts(of, history, options.readouts));
+    return history;
+  };
+  const studies::History history = motion_of(problem);
+  for (int i = 1; i < options.average; ++i)
+    (void)motion_of(studies::realisation(problem, static_cast<std::uint64_t>(i)));
+  Answer answer = readouts_answer(runs, options);
   answer.add_members({{"method", method.name}, {"duration_s", problem.numerics.duration()}});
   answer.warnings = studies::warnings_after(problem, method, history);
   outputs.write("--audio", [&] { return studies::force_as_wav(history, options.readouts.transient); });
@@ -115,6 +162,11 @@ void add_options(CLI::App& command, NvhOptions& options) {
       ->capture_default_str();
   add_integer_option(command, "--windows", options.readouts.windows, 2, 10'000,
                      "Windows of equal length over which means are taken");
+  add_integer_option(
+      command, "--average", options.average, 1, 100'000,
+      "With a spectrum: realisations, of its seed and those after it. Above 1, all numbers are "
+      "means over realisations, with an interval of 95 % by Student's t from one value of "
+      "each, not from windows; warnings and files are those of the first");
   add_file_option(command, "--audio", options.audio,
                   "WAV file of the friction force less its mean, over its largest modulus, 44.1 kHz");
 }

@@ -212,6 +212,33 @@ SlipReadouts slip_readouts(const data::Case& problem, const History& history, co
   return readouts;
 }
 
+data::Case realisation(const data::Case& problem, std::uint64_t number) {
+  data::Case next = problem;
+  bool is_random = false;
+  const auto other = [&](const data::GeneralMotion& motion, std::string_view table) {
+    const auto* spectrum = std::get_if<data::PowerSpectrum>(&motion.statement());
+    if (spectrum == nullptr) return motion;
+    is_random = true;
+    data::PowerSpectrum with_seed = *spectrum;
+    with_seed.seed += number;
+    return data::GeneralMotion(with_seed, motion.duration(), table).scaled(motion.scale());
+  };
+  if (const auto* base = problem.general_motion()) next.motion = other(*base, "excitation");
+  if (const auto& wall = problem.contact.wall_motion) next.contact.wall_motion = other(*wall, "wall");
+  if (is_random) return next;
+  throw data::FieldError("--average", std::string("given"),
+                         "left out of a case without a spectrum, whose realisations are all the same");
+}
+
+Estimate mean_over(const std::vector<SlipReadouts>& realisations,
+                   const std::function<double(const SlipReadouts&)>& number) {
+  std::vector<double> values;
+  for (const SlipReadouts& each : realisations)
+    if (const double value = number(each); std::isfinite(value)) values.push_back(value);
+  constexpr double none = SlipReadouts::none;
+  return values.size() < 2 ? Estimate{none, none, none} : mean_with_interval(values);
+}
+
 std::string force_as_wav(const History& history, double transient) {
   constexpr std::uint32_t rate = 44100, bytes = 2, header = 36;
   const std::vector<double> forces = forces_of(history, transient);

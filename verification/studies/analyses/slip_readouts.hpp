@@ -4,9 +4,12 @@
 /// Read-outs of a stick-slip motion: what is measured where parts rub, and what is heard.
 
 #include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <limits>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "studies/analyses/sampling.hpp"
 #include "studies/history/history.hpp"
@@ -64,6 +67,14 @@ struct SlipReadouts {
 /// The read-outs of a history with rows of readout_row_step(). Precondition: at least two rows in a window.
 [[nodiscard]] SlipReadouts slip_readouts(const data::Case& problem, const History& history,
                                          const ReadoutOptions& options);
+
+/// The case with the seeds of its spectra and `number` more, which makes realisations that are independent. Throws data::FieldError, naming
+/// --average, for a case without a spectrum.
+[[nodiscard]] data::Case realisation(const data::Case& problem, std::uint64_t number);
+
+/// The mean of a number over those read-outs that have a finite one, with its interval by Student's t; `none` of fewer than two.
+[[nodiscard]] Estimate mean_over(const std::vector<SlipReadouts>& realisations,
+                                 const std::function<double(const SlipReadouts&)>& number);
 
 /// A WAV file, 16-bit PCM, one channel, 44.1 kHz: the friction force of these rows less its mean, over its largest modulus, by lines
 /// between rows.

@@ -1038,6 +1038,7 @@ TEST_F(OptionInput, HasTheLimitsAndDefaultsOfTheHelp) {
         {"squeal", "--settle", "INT:1 ... 100000", "200"},
         {"squeal", "--count", "INT:2 ... 500", "41"},
         {"nvh", "--windows", "INT:2 ... 10000", "10"},
+        {"nvh", "--average", "INT:1 ... 100000", "1"},
         {"periodic", "--periods", "INT:1 ... 1000", "1"},
         {"periodic", "--settle", "INT:1 ... 100000", "200"}}) {
     const CLI::Option* option = app_of({command, {}}).get_option(name);

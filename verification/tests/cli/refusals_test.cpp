@@ -265,6 +265,7 @@ constexpr std::pair<const char*, const char*> rows_of_options[] = {
     {"design --band 20:30 --set beam.axial_force=0", "beam.axial_force is 0, but must be positive"},
     {"design rough-road --band 20:30",
      "excitation.spectrum is given, but must be left out: design takes a band of sines; for lengths"},
+    {"nvh sdnd104 --average 2", "--average is given, but must be left out of a case without a spectrum"},
     {"design --band 20:30 --length 1e-3:2", "excitation.duration is 10, but must be at most "},
     {"nvh squeak-stand --transient 5", "--transient is 5, but must be below the duration of 5 s"},
     {"nvh squeak-stand --method closed-form", "--method is closed-form, but must be one that follows the"},

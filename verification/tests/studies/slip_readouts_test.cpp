@@ -121,6 +121,42 @@ TEST(SlipReadouts, AreAlikeByTwoMethods) {
   }
 }
 
+class NvhAverage : public CommandLine {};
+
+// With two values a and b Student's t of 95 % has half the width 12.7062 |a - b|/2.
+STICKSLIP_VERIFIES(NvhAverage, "W4");
+TEST_F(NvhAverage, IsThatOfTheSeedsOneByOne) {
+  const std::string nvh = "nvh random.toml --duration 2 --average ",
+                    text = contents(data::find_case("rough-road"));
+  const auto with_seed = [&](const std::string& seed, int count) {
+    const std::string line = "seed = 1\n";
+    std::ofstream("random.toml") << std::string(text).replace(text.find(line), line.size(),
+                                                              "seed = " + seed + "\nscale = 3\n");
+    return json(nvh + std::to_string(count));
+  };
+  const auto both = with_seed("7", 2), first = with_seed("7", 1), second = with_seed("8", 1);
+  EXPECT_EQ(both["realisations"], 2);
+  for (const std::string key : {"travel_m", "slips", "distance_95_m", "a_weighted_level_dB", "slip_share"}) {
+    const auto number = [&](const nlohmann::json& of) {
+      return of[key].is_object() ? of[key]["value"].get<double>() : of[key].get<double>();
+    };
+    const double a = number(first), b = number(second), half = 12.7062047361747 * std::abs(a - b) / 2.0;
+    EXPECT_NE(a, b) << key;
+    EXPECT_NEAR(number(both), 0.5 * (a + b), 1e-12 * std::abs(a + b)) << key;
+    EXPECT_NEAR(both[key]["upper"], 0.5 * (a + b) + half, 1e-10 * half) << key;
+  }
+}
+
+// What no realisation or one alone has, has no mean.
+TEST(SlipReadouts, AreAveragedWhereThereAreTwo) {
+  std::vector<studies::SlipReadouts> runs(3);
+  runs[1].spacing = 2.0;
+  const auto mean = [&] { return studies::mean_over(runs, std::mem_fn(&studies::SlipReadouts::spacing)); };
+  EXPECT_TRUE(std::isnan(mean().value));
+  runs[2].spacing = 3.0;
+  EXPECT_EQ(mean().value, 2.5);
+}
+
 class SlipSound : public CommandLine {};
 
 // The spacing of slips is the period of the limit cycle that shooting finds; the force of stick is v t k, over 5 s.
