@@ -15,6 +15,7 @@
 #include "case_options.hpp"
 #include "command.hpp"
 #include "commands.hpp"
+#include "render/history_drawing.hpp"
 #include "studies/analyses/problem_warnings.hpp"
 #include "studies/analyses/slip_readouts.hpp"
 #include "studies/history/method.hpp"
@@ -28,7 +29,7 @@ struct NvhOptions {
   std::optional<std::string> method;
   studies::ReadoutOptions readouts;
   int average{1};
-  std::string audio;
+  std::string audio, figure;
 };
 
 // The given one, else event-driven unless that refuses the case.
@@ -125,7 +126,7 @@ Answer nvh(const NvhOptions& options, Outputs& outputs) {
                                    .with_midspan = false};
   outputs.set_case(problem);
   if (options.average > 1) (void)studies::realisation(problem, 0);
-  outputs.open({{"--audio", options.audio}});
+  outputs.open({{"--audio", options.audio}, {"--figure", options.figure}});
   report::Progress& progress = outputs.progress();
   Runs runs;
   const auto motion_of = [&](const data::Case& of) {
@@ -145,6 +146,9 @@ Answer nvh(const NvhOptions& options, Outputs& outputs) {
   answer.add_members({{"method", method.name}, {"duration_s", problem.numerics.duration()}});
   answer.warnings = studies::warnings_after(problem, method, history);
   outputs.write("--audio", [&] { return studies::force_as_wav(history, options.readouts.transient); });
+  outputs.draw(problem.name, [&](const report::Look& look) {
+    return report::readouts_drawing(problem, history, runs.front(), look);
+  });
   return answer;
 }
 
@@ -167,6 +171,9 @@ void add_options(CLI::App& command, NvhOptions& options) {
       "With a spectrum: realisations, of its seed and those after it. Above 1, all numbers are "
       "means over realisations, with an interval of 95 % by Student's t from one value of "
       "each, not from windows; warnings and files are those of the first");
+  add_figure_option(command, options.figure,
+                    "Motion and friction force in the window with the most slips, and range over time "
+                    "between slips of all windows");
   add_file_option(command, "--audio", options.audio,
                   "WAV file of the friction force less its mean, over its largest modulus, 44.1 kHz");
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "render/drawing.hpp"
+#include "studies/analyses/slip_readouts.hpp"
 #include "studies/history/history.hpp"
 
 namespace stickslip::report {
@@ -21,8 +22,9 @@ class HistoryDrawing {
   void add(const studies::HistoryRow& row);
 
   /// The drawing with the slips of the history as bands or, where the contact is held, its first slip as a line, as the bytes of a file.
-  /// Throws as draw() does.
-  [[nodiscard]] std::string text(const studies::History& history, bool is_held, const Look& look);
+  /// Beside it are the windows of `readouts`, if there are any (figures/nvh.gp). Throws as draw() does.
+  [[nodiscard]] std::string text(const studies::History& history, bool is_held, const Look& look,
+                                 const studies::SlipReadouts* readouts = nullptr);
 
  private:
   static constexpr double columns = 1000.0;
@@ -51,5 +53,9 @@ class HistoryDrawing {
 /// A drawing of the force that would hold the contact under a general motion, with its first excess of the limit (s).
 [[nodiscard]] std::string held_drawing(const data::Case& problem, const std::optional<double>& first_excess,
                                        const Look& look);
+
+/// A drawing of read-outs: the history in the window with the most slips, the first of these, and a point for each window with slips.
+[[nodiscard]] std::string readouts_drawing(const data::Case& problem, const studies::History& history,
+                                           const studies::SlipReadouts& readouts, const Look& look);
 
 }  // namespace stickslip::report

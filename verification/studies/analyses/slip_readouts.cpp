@@ -23,17 +23,10 @@ namespace stickslip::studies {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-struct WindowSums {
-  double least{infinity}, largest{-infinity}, travel{}, slips{}, slipping{}, work{};
-  [[nodiscard]] double range() const { return largest - least; }
-};
-
 template <class Member>
-Estimate mean_over(const std::vector<WindowSums>& windows, Member member, double scale = 1.0) {
+Estimate mean_of(const std::vector<ReadoutWindow>& windows, Member member, double scale = 1.0) {
   std::vector<double> values;
-  for (const WindowSums& each : windows) values.push_back(scale * std::invoke(member, each));
+  for (const ReadoutWindow& each : windows) values.push_back(scale * std::invoke(member, each));
   return mean_with_interval(values);
 }
 
@@ -168,10 +161,11 @@ SlipReadouts slip_readouts(const data::Case& problem, const History& history, co
   const std::size_t first = first_row(history, options.transient);
   const double begin = history.rows.at(first).time, end = history.rows.back().time,
                length = (end - begin) / options.windows;
-  SlipReadouts readouts{.rows = history.rows.size() - first};
+  SlipReadouts readouts{.windows = {}, .window = length, .rows = history.rows.size() - first};
   readouts.row_step = (end - begin) / static_cast<double>(readouts.rows - 1);
-  std::vector<WindowSums> windows(static_cast<std::size_t>(options.windows));
-  const auto window_at = [&](double time) -> WindowSums& {
+  std::vector<ReadoutWindow>& windows = readouts.windows;
+  for (int i = 0; i < options.windows; ++i) windows.push_back({.begin = begin + i * length});
+  const auto window_at = [&](double time) -> ReadoutWindow& {
     return windows[std::min(static_cast<std::size_t>((time - begin) / length), windows.size() - 1)];
   };
   std::vector<double> onsets, distances;
@@ -185,13 +179,13 @@ SlipReadouts slip_readouts(const data::Case& problem, const History& history, co
   for (const Point& at : points_of(problem, history)) {
     if (at.time < begin) continue;
     if (at.is_row) {
-      WindowSums& window = window_at(at.time);
+      ReadoutWindow& window = window_at(at.time);
       distances.push_back(at.distance);
       window.least = std::min(window.least, at.distance);
       window.largest = std::max(window.largest, at.distance);
     }
     if (last) {
-      WindowSums& window = window_at(0.5 * (last->time + at.time));
+      ReadoutWindow& window = window_at(0.5 * (last->time + at.time));
       const double step = at.distance - last->distance;
       window.travel += std::abs(step);
       readouts.travel += std::abs(step);
@@ -201,11 +195,11 @@ SlipReadouts slip_readouts(const data::Case& problem, const History& history, co
     }
     last = at;
   }
-  readouts.peak_to_peak = mean_over(windows, &WindowSums::range);
-  readouts.travel_rate = mean_over(windows, &WindowSums::travel, 1.0 / length);
-  readouts.slip_rate = mean_over(windows, &WindowSums::slips, 1.0 / length);
-  readouts.slip_share = mean_over(windows, &WindowSums::slipping, 1.0 / length);
-  readouts.friction_power = mean_over(windows, &WindowSums::work, 1.0 / length);
+  readouts.peak_to_peak = mean_of(windows, &ReadoutWindow::range);
+  readouts.travel_rate = mean_of(windows, &ReadoutWindow::travel, 1.0 / length);
+  readouts.slip_rate = mean_of(windows, &ReadoutWindow::slips, 1.0 / length);
+  readouts.slip_share = mean_of(windows, &ReadoutWindow::slipping, 1.0 / length);
+  readouts.friction_power = mean_of(windows, &ReadoutWindow::work, 1.0 / length);
   add_distances(std::move(distances), readouts);
   add_slips(onsets, readouts);
   add_spectrum(forces_of(history, options.transient), readouts);

@@ -23,6 +23,17 @@ struct ReadoutOptions {
   int windows{10};     ///< at least 2
 };
 
+/// Sums over the rows and events of one window.
+struct ReadoutWindow {
+  double begin{};                                                          ///< s
+  double least{std::numeric_limits<double>::infinity()}, largest{-least};  ///< z of the rows, m
+  double travel{};                                                         ///< m
+  double slips{};                                                          ///< onsets
+  double slipping{};                                                       ///< s
+  double work{};                                                           ///< of friction, J
+  [[nodiscard]] double range() const { return largest - least; }
+};
+
 /// The read-outs from the first row after the transient to the last row, over windows of equal length: an
 /// Estimate is a mean over these. Those of a periodic motion are neither normal nor independent; its interval says how far they differ. z is the displacement of the
 /// tip relative to the wall; a wall of constant speed leaves its drift in it. Slips begin and end at the onsets and captures of
@@ -30,6 +41,8 @@ struct ReadoutOptions {
 struct SlipReadouts {
   static constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
+  std::vector<ReadoutWindow> windows;
+  double window{};  ///< their length, s
   std::size_t rows{};
   double row_step{};        ///< s
   Estimate peak_to_peak{};  ///< max z - min z of the rows of a window, m

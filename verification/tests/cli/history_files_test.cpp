@@ -183,6 +183,64 @@ TEST_F(HistoryFiles, AreDrawnFromFewRows) {
     EXPECT_EQ(range(column_of(drawn, column)), range(column_of(all, column)));
 }
 
+// The motion is that of the window with the most slips; a mark for each window that has some.
+TEST_F(HistoryFiles, AreDrawnWithTheirWindows) {
+  const std::string nvh = "nvh rough-road --set excitation.scale=1.8 --json --figure drawn.svg";
+  const auto answer = nlohmann::json::parse(run(nvh).output);
+  const std::string svg = contents("drawn.svg");
+  const auto marks = [&](const std::string& title) {  // but for that in the legend
+    int count = -1;
+    const std::size_t begin = svg.find("<title>" + title + "</title>"), end = svg.find("</g>\n\t</g>", begin);
+    for (auto use = svg.find("<use", begin); use < end; use = svg.find("<use", use + 1)) ++count;
+    return count;
+  };
+  install_gnuplot("cat \"${folder}history-windows.csv\" \"${folder}history.csv\" > $output\n");
+  EXPECT_EQ(run(nvh).status, 0);
+  const Rows rows = rows_in("drawn.svg");
+  int with_slips = 0;
+  double slips = 0.0, most = 0.0, from = -1.0, ranges = 0.0;
+  for (std::size_t i = 0; i < 10; ++i) {
+    const double of_window = std::stod(rows[i][1]);
+    with_slips += of_window > 0.0 ? 1 : 0;
+    slips += of_window, ranges += std::stod(rows[i][2]) / 10.0;
+    if (of_window > most) most = of_window, from = std::stod(rows[i][0]);
+  }
+  EXPECT_TRUE(with_slips > 0 && with_slips < 10) << with_slips;
+  EXPECT_EQ(slips, answer["slips"]);
+  EXPECT_NEAR(ranges, answer["peak_to_peak_m"]["value"], 1e-12);
+  EXPECT_NEAR(std::stod(rows[11][0]), from, 1e-4);  // a row step is 9e-5 s
+  EXPECT_NEAR(std::stod(rows.back()[0]), from + 1.0, 1e-4);
+  EXPECT_LT(rows.size(), 4100u);
+  EXPECT_EQ(marks("windows"), with_slips);
+  EXPECT_EQ(marks("at left"), 1);
+}
+
+// The wall moves by a W^-2 sin(W t + pi) with a = 15 m/s^2 beside the base.
+TEST_F(HistoryFiles, AreDrawnWithAWallThatHasTheBase) {
+  install_gnuplot("cat \"${folder}history.csv\" > $output\n");
+  EXPECT_GT(
+      rows_of("sdnd104 --set wall.with_base=true --amplitude 0.01 --duration 1 --figure drawn.svg").size(),
+      100u);
+  constexpr double turn = 2.0 * std::numbers::pi;
+  for (const auto& row : rows_in("drawn.svg"))
+    EXPECT_NEAR(std::stod(row[4]) - std::stod(row[1]),
+                -15.0 / (turn * turn) * std::sin(turn * std::stod(row[0])), 1e-10);
+}
+
+// Slips every 0.042 s, and columns of 0.1 s.
+TEST_F(HistoryFiles, AreDrawnWithFewBands) {
+  install_gnuplot("cat \"${folder}history-slips.csv\" > $output\n");
+  EXPECT_GT(
+      rows_of("squeak-stand --method event-driven --duration 100 --events events.csv --figure drawn.svg")
+          .size(),
+      2000u);
+  const Rows events = rows_in("events.csv"), bands = rows_in("drawn.svg");
+  EXPECT_GT(events.size(), 4000u);
+  EXPECT_EQ(bands.size(), 1u);
+  EXPECT_EQ(bands.back()[0], "0");  // the first slip is in the first column
+  EXPECT_EQ(bands.back()[1], events.back()[1] == "capture" ? events.back()[0] : "100");
+}
+
 TEST_F(HistoryFiles, AreDrawnInASizeThatHoldsThem) {
   for (const std::string size : {"12", "3x12", "12x101"})
     expect_refused("criterion paper --figure a.png --size " + size,
