@@ -70,8 +70,8 @@ std::pair<std::string, std::string> newest_version() {
 const std::vector<Recipe>& recipes() {
   static const std::vector<Recipe> all = [] {
     std::vector<Recipe> list;
-    for (const auto& group :
-         {enclosed_sets(), converged_sets(), field_sets(), exact_sets(), published_sets(), record_sets()})
+    for (const auto& group : {enclosed_sets(), converged_sets(), field_sets(), exact_sets(), published_sets(),
+                              random_sets(), record_sets()})
       list.insert(list.end(), group.begin(), group.end());
     std::ranges::sort(list, {}, &Recipe::position);
     return list;

@@ -122,6 +122,7 @@ void compare_along(data::Resource& resource, std::string abscissa);
 [[nodiscard]] std::vector<Recipe> field_sets();
 [[nodiscard]] std::vector<Recipe> exact_sets();
 [[nodiscard]] std::vector<Recipe> published_sets();
+[[nodiscard]] std::vector<Recipe> random_sets();
 [[nodiscard]] std::vector<Recipe> record_sets();
 
 }  // namespace stickslip::reference

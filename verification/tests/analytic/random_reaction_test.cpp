@@ -7,6 +7,7 @@
 
 #include "stickslip/analytic/random_reaction.hpp"
 #include "stickslip/data/case_file.hpp"
+#include "stickslip/data/reference.hpp"
 #include "studies/analyses/sampling.hpp"
 #include "studies/common/parallel.hpp"
 #include "support/structures.hpp"
@@ -60,6 +61,38 @@ TEST(RandomReaction, HasAPublishedDeviation) {
   const data::Case problem = random_case_of(flat(5.0, 200.0), 10.0);
   const auto found = random_reaction(model_of(problem), analytic::random_drive(problem));
   EXPECT_TRUE(within(found.deviation, 137.43829486, reference(5e-9, "the digits given")));
+}
+
+// Of all rows of the data set, in ball arithmetic from the displacements. Intervals are halved until that changes the moments by 1e-12; ten
+// intervals, and the exponent of a crossing has ten times the error of the deviation at most.
+TEST(RandomReaction, IsThatOfBallArithmetic) {
+  const auto table = data::read_table(data::load_reference(), "random-reaction");
+  PowerSpectrum sloping = flat(5.0, 200.0);
+  sloping.points = {{5.0, 0.2}, {20.0, 2.0}, {60.0, 1.0}, {200.0, 0.05}};
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    const std::string& motion = table.column("motion").text[row];
+    data::Case problem = random_case_of(motion == "base-sloping" ? sloping : flat(5.0, 200.0), 10.0);
+    if (motion == "wall-sloping")
+      problem.motion = data::HarmonicExcitation({.frequency_hz = 1.0, .amplitude = 0.0});
+    if (motion == "wall-sloping" || motion == "base-and-wall")
+      problem.contact.wall_motion = data::GeneralMotion(sloping, 10.0, "wall");
+    problem.contact.wall = data::Wall({.with_base = motion == "wall-with-base"});
+    analytic::ContactModel model = model_of(problem);
+    for (std::size_t n = 0; n < 20 && table.column("contact_damping").text[row] == "no"; ++n)
+      model.damping(20, n) = 0.0;
+    const auto found = random_reaction(model, analytic::random_drive(problem));
+    for (const auto& [name, value] :
+         std::map<std::string, double>{{"deviation", found.deviation},
+                                       {"rate_deviation", found.rate_deviation},
+                                       {"bandwidth", found.bandwidth},
+                                       {"crossings_150", found.crossings(150.0)},
+                                       {"crossings_300", found.crossings(300.0)},
+                                       {"crossings_450", found.crossings(450.0)}}) {
+      const double expected = table.column(name).values[row];
+      EXPECT_TRUE(within(value, expected, discretisation(1e-12 * expected, 20.0, "halves of intervals")))
+          << motion << " " << name << " " << value / expected - 1.0;
+    }
+  }
 }
 
 // Its modes alone, without what follows at once, under white acceleration: 151.7341023807 N by another program. By the midpoint rule over
