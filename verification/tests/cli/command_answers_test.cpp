@@ -299,6 +299,40 @@ TEST_F(Answers, OfASpectrumScaleAndAgree) {
                     "--samples is 5, but must be left out without a spectrum"));
 }
 
+// Variances of base and wall add, also of a wall that moves with the base. There a mass has the read-outs of a shaker with the force -m h_tt;
+// with a random wall besides, two methods have the same.
+TEST_F(Answers, OfBaseAndWallAtRandomAddUp) {
+  const auto variance = [&](const std::string& options) {
+    const double deviation = json(
+        "criterion rough-road --samples 10 --set wall.spectrum=[[5,1],[100,2]] --set "
+        "wall.unit=(m/s^2)^2/Hz" +
+        options)["deviation_N"];
+    return deviation * deviation;
+  };
+  for (const std::string carried : {"", " --set wall.with_base=true"}) {
+    const double both = variance(carried), base = variance(carried + " --set wall.scale=0"),
+                 wall = variance(carried + " --set excitation.scale=0");
+    EXPECT_TRUE(within(base + wall, both, reference(1e-11 * both, "quadrature"))) << carried;
+    EXPECT_GT(std::min(base, wall), 0.01 * both) << carried;
+  }
+  const std::string mass =
+      "[model]\nmass = 2\nstiffness = 8000\ndamping = 5\nnormal_force = 8\n[friction]\nstatic_coefficient = "
+      "0.5\n[excitation]\nduration = 4\n";
+  std::ofstream("carried.toml")
+      << mass << "spectrum = [[2, 1], [20, 1]]\nunit = '(m/s^2)^2/Hz'\n[wall]\nwith_base = true\n";
+  std::ofstream("shaken.toml") << mass << "spectrum = [[2, 4], [20, 4]]\nunit = 'N^2/Hz'\n";
+  const std::string random_wall =
+      "nvh carried.toml --set wall.spectrum=[[5,1],[30,1]] --set wall.unit=(m/s^2)^2/Hz";
+  for (const auto& [one, other, tolerance] :
+       {std::tuple{json("nvh carried.toml"), json("nvh shaken.toml"), reference(1e-9, "rounding of events")},
+        {json(random_wall), json(random_wall + " --method fe"), reference(1e-6, "time steps; empirical")}}) {
+    EXPECT_EQ(one["slips"], other["slips"]);
+    EXPECT_GT(one["slips"], 10);
+    for (const char* name : {"travel_m", "distance_95_m", "distance_99_m"})
+      EXPECT_TRUE(within(other[name].get<double>() / one[name].get<double>(), 1.0, tolerance)) << name;
+  }
+}
+
 TEST_F(Answers, TellTheStructureThatIsNoBeam) {
   const data::Case rig = data::load_case("solid-cantilever"), mass = data::load_case("den-hartog");
   EXPECT_EQ(cli::case_line(rig),
