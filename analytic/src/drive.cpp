@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "stickslip/analytic/contact_model.hpp"
+#include "stickslip/analytic/random_reaction.hpp"
 
 namespace stickslip::analytic {
 namespace {
@@ -55,7 +56,8 @@ Drive::Drive(const data::Case& problem)
     : base_(motion_of_base(problem)),
       wall_(problem.contact.wall_motion),
       wall_share_(analytic::wall_share(problem)),
-      wall_speed_(problem.contact.wall.speed()) {}
+      wall_speed_(problem.contact.wall.speed()),
+      is_random_(random_drive(problem).moves()) {}
 
 Drive::Largest Drive::largest() const {
   Largest result;

@@ -173,9 +173,37 @@ class Search {
 
 }  // namespace
 
-HeldMotion::HeldMotion(const ContactModel& model) : dynamics_(model), stick_(dynamics_) {
+ContactKinematics held_start(const ContactModel& model) {
   const std::size_t m = model.modes();
-  stick_.begin(0.0, {std::vector<double>(m), std::vector<double>(m), 0.0, dynamics_.wall_velocity(0.0)});
+  const ContactDynamics dynamics(model);
+  ContactKinematics state{std::vector<double>(m), std::vector<double>(m), 0.0, dynamics.wall_velocity(0.0)};
+  if (!model.drive || !model.drive->is_random()) return state;
+  StickPropagator stick(dynamics);
+  const double decay = stick.slowest_decay(), period = model.drive->duration();
+  if (!(decay > 0.0)) return state;
+  const double memory = std::log(1e10) / decay, periods = std::ceil(memory / period);
+  constexpr double most_periods = 1e4;
+  if (!(periods < most_periods)) return state;
+  double from = periods * period - memory;
+  for (double round = 0.0; round < periods; round += 1.0, from = 0.0) {
+    dynamics.enter(from);
+    state.displacement = 0.0;
+    state.velocity = dynamics.wall_velocity(from);
+    stick.begin(from, state);
+    for (double end = dynamics.piece_end(); end < period; end = dynamics.piece_end()) {
+      dynamics.enter(end);
+      stick.go_on(end);
+    }
+    state = stick.state(period);
+  }
+  dynamics.enter(0.0);
+  state.displacement = 0.0;
+  state.velocity = dynamics.wall_velocity(0.0);
+  return state;
+}
+
+HeldMotion::HeldMotion(const ContactModel& model) : dynamics_(model), stick_(dynamics_) {
+  stick_.begin(0.0, held_start(model));
 }
 
 void HeldMotion::enter_next_piece() {

@@ -10,6 +10,7 @@
 #include "arguments.hpp"
 #include "separated_system.hpp"
 #include "special_functions.hpp"
+#include "stickslip/analytic/held_motion.hpp"
 
 namespace stickslip::analytic {
 namespace {
@@ -189,13 +190,7 @@ void ModalContactRun::set_friction() {
         data::shortest_text(decay_ * friction_drop_ * weight_));
 }
 
-void ModalContactRun::start_stuck() {
-  start({.amplitudes = std::vector<double>(model_.modes()),
-         .rates = std::vector<double>(model_.modes()),
-         .displacement = 0.0,
-         .velocity =
-             motion_ ? motion_->wall_velocity(0.0) : model_.wall_amplitude * model_.load_angular_frequency});
-}
+void ModalContactRun::start_stuck() { start(held_start(model_)); }
 
 void ModalContactRun::start(const ContactKinematics& state) {
   std::vector<double> y = flat(state);

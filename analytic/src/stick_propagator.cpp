@@ -211,6 +211,12 @@ void StickPropagator::go_on(double t) {
   enter_piece();
 }
 
+double StickPropagator::slowest_decay() const {
+  double slowest = eigenvalue_.empty() ? 0.0 : -eigenvalue_.front().real();
+  for (const Complex& each : eigenvalue_) slowest = std::min(slowest, -each.real());
+  return slowest;
+}
+
 void StickPropagator::begin(double t, const ContactKinematics& state) {
   const std::size_t m = dynamics_.modes();
   begin_ = t;

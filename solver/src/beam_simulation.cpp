@@ -6,7 +6,9 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <utility>
+#include <variant>
 
 #include "stickslip/solver/base_motion.hpp"
 #include "stickslip/solver/decompositions.hpp"
@@ -124,6 +126,42 @@ void require_resolved_spring(const data::TangentialContact& contact, double limi
           " N/m by finite elements, whose rounding would move the force; inf for a rigid contact");
 }
 
+// Whether spectra alone move base and wall, at least one of them.
+bool is_random(const data::Case& problem) {
+  const auto has_spectrum = [](const data::GeneralMotion& motion) {
+    return std::holds_alternative<data::PowerSpectrum>(motion.statement());
+  };
+  const auto* base = problem.general_motion();
+  const auto& wall = problem.contact.wall_motion;
+  const bool base_rests = base == nullptr && problem.excitation().amplitude() == 0.0;
+  return (base != nullptr || wall) && (base_rests || (base != nullptr && has_spectrum(*base))) &&
+         (!wall || has_spectrum(*wall));
+}
+
+// Displacement and velocity of a system that has always been held, under a motion with that period: runs of a period follow each other until
+// they end as they began, to 1e-3. The contact is at 0 then.
+std::pair<Eigen::VectorXd, Eigen::VectorXd> held_start(ContactSystem system,
+                                                       const IntegratorSettings& settings,
+                                                       const Eigen::VectorXd& static_shape, double period) {
+  constexpr double enough = 1e-3;
+  constexpr int most_periods = 1000;
+  const Eigen::Index c = system.contact;
+  system.normal_force = bonding_force;
+  system.tangential = data::TangentialContact();
+  const long steps = step_count(period, settings.time_step);
+  Eigen::VectorXd velocity = system.wall.velocity(0.0) * static_shape;
+  Eigen::VectorXd displacement = Eigen::VectorXd::Zero(velocity.size());
+  StickSlipIntegrator run(std::move(system), settings);
+  for (int n = 0; n < most_periods; ++n) {
+    run.start_stuck(displacement, velocity);
+    for (long step = 0; step < steps; ++step) run.step();
+    const Eigen::VectorXd before = std::exchange(velocity, run.velocity());
+    displacement = run.displacement() - run.displacement()[c] * static_shape;
+    if ((velocity - before).norm() <= enough * velocity.norm()) break;
+  }
+  return {displacement, velocity};
+}
+
 BeamModel checked_model(const data::Beam& beam, int elements, bool is_bonded) {
   require_contact(beam, is_bonded);
   BeamModel model(beam, elements);
@@ -160,15 +198,22 @@ BeamSimulation::BeamSimulation(const data::Case& problem, const RunOptions& opti
   require_resolved_spring(problem.contact.compliance,
                           problem.contact.friction.static_coefficient() * system.normal_force,
                           largest_displacement(problem.motion));
+  Eigen::VectorXd displacement = Eigen::VectorXd::Zero(velocity.size());
+  if (!options.starts_with_the_base && problem.is_damped() && is_random(problem)) {
+    const Eigen::VectorXd shape = coordinates == Coordinates::modal
+                                      ? Eigen::VectorXd::Unit(velocity.size(), system.contact)
+                                      : static_shape;
+    std::tie(displacement, velocity) = held_start(system, settings, shape, problem.numerics.duration());
+  }
   if (options.is_bonded) system.normal_force = bonding_force;
   integrator_ = std::make_unique<StickSlipIntegrator>(std::move(system), settings);
   if (model_) midspan_ = weights_at(0.5 * problem.beam().length());
-  start(problem, velocity, options.is_bonded);
+  start(problem, std::move(displacement), std::move(velocity), options.is_bonded);
 }
 
 // At rest on the wall, or, one mass, where [initial] says.
-void BeamSimulation::start(const data::Case& problem, Eigen::VectorXd velocity, bool is_bonded) {
-  Eigen::VectorXd displacement = Eigen::VectorXd::Zero(velocity.size());
+void BeamSimulation::start(const data::Case& problem, Eigen::VectorXd displacement, Eigen::VectorXd velocity,
+                           bool is_bonded) {
   const auto& [position, absolute] = problem.initial;
   const ContactSystem& system = integrator_->system();
   const double on_the_wall = system.wall.velocity(0.0) + base_.velocity(0.0);

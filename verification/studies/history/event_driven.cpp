@@ -39,12 +39,11 @@ std::vector<data::ContactEvent> events_of(const analytic::EventDriven& run,
 }
 
 // u_t = σ w_t + sum U_n T_n_t: zero rates are the quasi-static start, and -a_n w_t a beam that moves with the base.
-std::vector<double> rates_of(const analytic::ContactModel& model, bool starts_with_the_base) {
-  if (!starts_with_the_base) return {};
-  const double wall_velocity = analytic::ContactDynamics(model).wall_velocity(0.0);
-  std::vector<double> rates;
-  for (const double coupling : model.mass_coupling) rates.push_back(-coupling * wall_velocity);
-  return rates;
+analytic::ContactKinematics start_of(const analytic::ContactModel& model, bool starts_with_the_base) {
+  analytic::ContactKinematics start = analytic::held_start(model);
+  for (std::size_t n = 0; starts_with_the_base && n < model.modes(); ++n)
+    start.rates[n] = -model.mass_coupling[n] * start.velocity;
+  return start;
 }
 
 // At rest on the wall, or, one mass, where [initial] says.
@@ -53,8 +52,9 @@ void start(analytic::EventDriven& run, const data::Case& problem, const analytic
   const auto& [position, velocity] = problem.initial;
   const analytic::ContactDynamics dynamics(model);
   const double wall = dynamics.base_velocity(0.0) + dynamics.wall_velocity(0.0);
+  const analytic::ContactKinematics begin = start_of(model, starts_with_the_base);
   if (problem.initial == data::InitialState() || velocity == wall)
-    run.start_stuck({}, rates_of(model, starts_with_the_base), position);
+    run.start_stuck(begin.amplitudes, begin.rates, position);
   else
     run.start_slipping({}, {}, position, velocity - wall);
 }

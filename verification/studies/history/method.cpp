@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "stickslip/analytic/random_reaction.hpp"
 #include "stickslip/analytic/stick_reaction.hpp"
 #include "stickslip/data/input_error.hpp"
 #include "studies/common/problem_parameter.hpp"
@@ -55,6 +56,11 @@ const std::string elements_only = "fe where --scheme is given";
 void require_nothing(const data::Case&) {}
 
 void require_steps(const data::Case& problem) {
+  if (problem.is_damped() && analytic::random_drive(problem).moves())
+    throw data::FieldError("damping.kelvin_voigt", problem.damping.kelvin_voigt(),
+                           "0 with the boundary integral under a spectrum: the response of a damped beam "
+                           "begins stationary, which event-driven "
+                           "and fe take");
   const double most_steps = std::ldexp(1.0, 24), step = boundary_integral_step(problem);
   if (problem.numerics.duration() <= most_steps * step) return;
   throw data::FieldError("excitation.duration", data::shortest_text(problem.numerics.duration()),

@@ -36,6 +36,8 @@ class Drive {
   [[nodiscard]] double duration() const;
   /// Of the highest frequency, rad/s.
   [[nodiscard]] double angular_frequency() const;
+  /// Spectra alone move base and wall.
+  [[nodiscard]] bool is_random() const { return is_random_; }
   [[nodiscard]] bool base_moves() const { return !base_.is_force(); }
   /// κ: w = (motion of the wall) + V t - κ h.
   [[nodiscard]] double wall_share() const { return wall_share_; }
@@ -50,6 +52,7 @@ class Drive {
   data::GeneralMotion base_;
   std::optional<data::GeneralMotion> wall_;
   double wall_share_, wall_speed_;
+  bool is_random_;
 };
 
 /// Where a run is in a drive.

@@ -11,9 +11,13 @@
 
 namespace stickslip::analytic {
 
+/// T, T_t and u_c_t = w_t at t = 0, where u_c = 0. Under spectra (Drive::is_random()) a damped structure has been held for all time before:
+/// the realisation has the period of its duration, and what came before it decays as the slowest mode does and is left out where that is
+/// below 1e-10. Else T = T_t = 0.
+[[nodiscard]] ContactKinematics held_start(const ContactModel& model);
+
 /// A structure whose contact is held from t = 0 on, under a general motion (ContactModel::drive), exactly but for the modes left out:
-/// StickPropagator, piece by piece. It starts with u_c = T_n = T_n_t = 0, as EventDriven does,
-/// wherever base and wall are.
+/// StickPropagator, piece by piece. It starts as held_start() says, wherever base and wall are.
 class HeldMotion {
  public:
   explicit HeldMotion(const ContactModel& model);

@@ -71,7 +71,7 @@ class ModalContactRun {
 
   /// Starts at t = 0. The contact sticks if its velocity is that of the wall, to rounding.
   void start(const ContactKinematics& state);
-  /// The quasi-static start of EventDriven::start_stuck({}, {}).
+  /// At rest on the wall, as held_start() says.
   void start_stuck();
 
   void step();

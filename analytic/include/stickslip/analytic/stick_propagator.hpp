@@ -52,6 +52,9 @@ class StickPropagator {
   /// What each z_k adds to f_d at a time of the piece of a general motion, by |λ_k|.
   [[nodiscard]] std::vector<double> force_terms(double t) const;
 
+  /// The least -Re λ_k, 1/s; 0 without damping or modes.
+  [[nodiscard]] double slowest_decay() const;
+
   /// What each z_k adds to f_d.
   [[nodiscard]] std::vector<ModalShare> force_shares() const;
 

@@ -56,7 +56,8 @@ struct RunOptions {
 
 /// The structure of a case in time steps: a beam by finite elements, a model by its matrices. Started with its contact, the tip of a
 /// beam, at rest on the wall, or as `initial` of the case says; integrator() steps it through time. Displacements are absolute
-/// (y = h + u); friction_force() has the sign of Eq. (28), f = EI u'''(L) + χ P u'(L) = -f_d.
+/// (y = h + u). Where spectra alone move base and wall of a damped structure, its contact has been held before, so that the motion begins
+/// stationary, to 1e-3. friction_force() has the sign of Eq. (28), f = EI u'''(L) + χ P u'(L) = -f_d.
 class BeamSimulation {
  public:
   /// Of the numerics, uses elements, time_step, spectral_radius and velocity_threshold. Throws what damping_matrix()
@@ -90,7 +91,8 @@ class BeamSimulation {
   [[nodiscard]] const StickSlipIntegrator& integrator() const noexcept { return *integrator_; }
 
  private:
-  void start(const data::Case& problem, Eigen::VectorXd velocity, bool is_bonded);
+  void start(const data::Case& problem, Eigen::VectorXd displacement, Eigen::VectorXd velocity,
+             bool is_bonded);
 
   std::optional<BeamModel> model_;  // of a beam
   PrescribedMotion base_;           // in m; at rest where the excitation is a force
