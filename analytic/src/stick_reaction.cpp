@@ -199,16 +199,26 @@ void StickReactions::tabulate(double lowest_load_factor, double highest_load_fac
 
 StickReaction StickReactions::of(const data::Case& problem) const {
   if (problem.has(data::Feature::general_motion)) return StickReaction(problem);
-  const bool has_its_modes = problem.numerics.modes() == first_.numerics.modes();
-  if (table_ && has_its_modes && !needs_held_structure(problem) && table_->holds(problem.beam()))
+  if (table_ && problem.numerics.modes() == first_.numerics.modes() && !needs_held_structure(problem) &&
+      table_->holds(problem.beam()))
     return {problem, table_->at(problem.beam())};
-  if (!has_its_modes || problem.structure != first_.structure || problem.damping != first_.damping ||
-      wall_share(problem) != wall_share(first_) ||
-      problem.excitation().is_force() != first_.excitation().is_force())
-    return StickReaction(problem);
+  const auto has_its_modes = [&](const Known& known) {
+    return problem.numerics.modes() == known.problem.numerics.modes() &&
+           problem.structure == known.problem.structure && problem.damping == known.problem.damping &&
+           wall_share(problem) == wall_share(known.problem) &&
+           problem.excitation().is_force() == known.problem.excitation().is_force();
+  };
+  {
+    const std::lock_guard lock(guard_);
+    if (const auto known = std::ranges::find_if(known_, has_its_modes); known != known_.end())
+      return known->reaction.of(problem);
+  }
+  StickReaction made(problem);
   const std::lock_guard lock(guard_);
-  if (!common_) common_.emplace(problem);
-  return common_->of(problem);
+  constexpr std::size_t most = 16;
+  if (known_.size() == most) known_.pop_front();
+  known_.push_back({problem, made});
+  return made;
 }
 
 ModesOfAll modes_of_all(const data::Case& problem, bool verdict_alone) {

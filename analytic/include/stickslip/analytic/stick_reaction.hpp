@@ -7,6 +7,7 @@
 /// Every force here is per unit of load(): of one sine per unit amplitude of the base displacement, N/m. It is that of the excitation
 /// frequency Ω, or of the general motion, and of the duration T of the case.
 
+#include <deque>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -95,7 +96,7 @@ class StickReaction {
   double omega_{}, duration_{};
 };
 
-/// The reactions of many cases. They share the modes of the first one where they can, or take them from a table.
+/// The reactions of many cases. They share the modes of the latest ones where they can, or take them from a table.
 class StickReactions {
  public:
   explicit StickReactions(const data::Case& first) : first_(first) {}
@@ -111,7 +112,11 @@ class StickReactions {
   data::Case first_;
   std::optional<ModalReactionTable> table_;
   mutable std::mutex guard_;
-  mutable std::optional<StickReaction> common_;
+  struct Known {
+    data::Case problem;
+    StickReaction reaction;
+  };
+  mutable std::deque<Known> known_;
 };
 
 /// How many modes StickReaction needs for the force of all modes, and how many it may have. Beyond, they would be beyond the closed
