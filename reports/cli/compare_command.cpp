@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -27,7 +28,8 @@ namespace stickslip::cli {
 namespace {
 
 struct CompareOptions {
-  std::string name, file, events, rows, names, manifest, junit, figure;
+  std::string name, file, events, rows, names, manifest, junit, figure, level;
+  std::string row_tolerances;  // of a row of a manifest, with blanks between
   std::string package = data::reference_directory().string();
   std::vector<std::string> columns, tolerances;
   std::optional<double> until;
@@ -39,27 +41,48 @@ bool is_own_run(const CompareOptions& options) { return options.name.ends_with("
 // The comparisons that are asked for: one, or those of the lines of the manifest, whose files are next to it.
 std::vector<CompareOptions> runs_of(const CompareOptions& options) {
   if (options.manifest.empty()) return {options};
-  const std::map<std::string, std::string CompareOptions::*> columns{{"data_set", &CompareOptions::name},
-                                                                     {"file", &CompareOptions::file},
-                                                                     {"events", &CompareOptions::events},
-                                                                     {"rows", &CompareOptions::rows}};
+  const std::map<std::string, std::string CompareOptions::*> columns{
+      {"data_set", &CompareOptions::name},
+      {"file", &CompareOptions::file},
+      {"events", &CompareOptions::events},
+      {"rows", &CompareOptions::rows},
+      {"tolerance", &CompareOptions::row_tolerances},
+      {"level", &CompareOptions::level}};
   std::vector<CompareOptions> runs;
   for (const auto& row : read_rows(options.manifest, "the manifest")) {
     CompareOptions& run = runs.emplace_back(options);
     for (const auto& [column, cell, place] : row) {
       if (!columns.contains(column) || std::ranges::count(row, column, &data::Override::key) > 1)
         throw data::FieldError("a column of the manifest", data::printable(column),
-                               "one of data_set, file, events, rows, and stand once");
+                               "one of data_set, file, events, rows, tolerance, level, and stand once");
       const bool is_file = column == "file" || column == "events" || cell.ends_with(".csv");
       if (is_file && !data::is_inside(cell))
         throw data::FieldError(place, data::printable(cell), "a path inside the folder of the manifest");
       const auto folder = std::filesystem::path(options.manifest).parent_path();
-      run.*columns.at(column) = is_file && !cell.empty() ? (folder / cell).string() : cell;
+      if (!cell.empty()) run.*columns.at(column) = is_file ? (folder / cell).string() : cell;
     }
     if (run.name.empty() || run.file.empty())
       throw data::InputError(row.front().place + ": data_set or file is empty, but must be a name");
   }
   return runs;
+}
+
+// The tolerances of the options, and in place of them those of the row.
+std::vector<std::string> tolerances_of(const CompareOptions& options) {
+  std::vector<std::string> texts = options.tolerances;
+  for (const std::string_view text : split(options.row_tolerances, ' '))
+    if (!text.empty()) texts.emplace_back(text);
+  return texts;
+}
+
+std::size_t parse_level(const std::string& text) {
+  const auto* const found =
+      std::find(comparison::level_names.begin() + 1, comparison::level_names.end(), text);
+  if (found == comparison::level_names.end())
+    throw data::FieldError("--level", fmt::format("'{}'", data::printable(text)),
+                           fmt::format("one of {}", fmt::join(comparison::level_names.begin() + 1,
+                                                              comparison::level_names.end(), ", ")));
+  return static_cast<std::size_t>(found - comparison::level_names.begin());
 }
 
 // Adds the comparison that is asked for, and what is said of it.
@@ -69,7 +92,9 @@ void compare(Judged& judged, const CompareOptions& options, const data::Referenc
   const comparison::Reference reference = is_own_run(options)
                                               ? comparison::own_run(options.name, is_quoted)
                                               : comparison::read_reference(package, options.name);
-  comparison::Settings settings{.tolerances = parse_tolerances(options.tolerances), .until = options.until};
+  comparison::Settings settings{.tolerances = parse_tolerances(tolerances_of(options)),
+                                .until = options.until};
+  if (!options.level.empty()) settings.level = parse_level(options.level);
   if (!options.rows.empty()) settings.rows = parse_rows(options.rows);
   std::vector<data::ColumnMapping> mappings;
   for (const std::string& text : options.columns) mappings.push_back(data::ColumnMapping::parse(text));
@@ -174,6 +199,10 @@ void add_options(CLI::App& command, CompareOptions& options) {
   words("--tolerance", options.tolerances, "[QUANTITY=]NUMBER",
         "Instead of that of the data set, of one quantity or of all; repeatable")
       ->allow_extra_args(false);
+  words("--level", options.level, "LEVEL",
+        "Agree as well with a scaled error of at most 1e-1, 1e-2 or 1e-3; strict, the default, has the "
+        "tolerances alone")
+      ->check(one_of({comparison::level_names.begin() + 1, comparison::level_names.end()}));
   command.add_option("--until", options.until, "Compare nothing later, s; a run of yours must reach it")
       ->transform(time());
   add_file_option(command, "--junit", options.junit, "XML file in JUnit's format, '-' for standard output");
@@ -181,13 +210,14 @@ void add_options(CLI::App& command, CompareOptions& options) {
   add_package_option(command, options.package);
   auto* manifest = add_file_option(
       command, "--manifest", options.manifest,
-      "CSV file with the columns data_set and file, and events and rows if need be: compares them all");
+      "CSV file with the columns data_set and file, and events, rows, tolerance and level if need be: "
+      "compares them all");
   manifest->excludes(command.get_option("NAME"));
   for (const char* single : {"FILE", "--events", "--column", "--columns", "--rows", "--until", "--figure"}) {
     manifest->excludes(command.get_option(single));
     problem->excludes(command.get_option(single));
   }
-  for (const char* other : {"--tolerance", "--junit", "--manifest", "--package"})
+  for (const char* other : {"--tolerance", "--level", "--junit", "--manifest", "--package"})
     problem->excludes(command.get_option(other));
 }
 
@@ -202,7 +232,7 @@ void add_compare_command(CLI::App& app) {
            "differs; 2: a file cannot be compared; 3: nothing differs, but something is undecided or missing",
        .examples = {"stickslip reference export stick-frequencies --output mine.csv",
                     "stickslip compare stick-frequencies mine.csv --tolerance 1e-6",
-                    "stickslip compare stick-frequencies mine.csv --rows 1:3"},
+                    "stickslip compare stick-frequencies mine.csv --rows 1:3 --level 1e-2"},
        .add_options = add_options,
        .run = compared});
 }

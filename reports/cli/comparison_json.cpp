@@ -63,6 +63,7 @@ Json json_of(const Comparison& comparison, const std::string& file) {
       {"verdict", comparison::to_string(comparison.agreement)},
       {"conclusion", conclusion_of(comparison)},
       {"level", level_names.at(comparison.level)},
+      {"required_level", level_names.at(comparison.required_level)},
       {"rows",
        {{"compared", comparison.rows}, {"of", comparison.all_rows}, {"numbers", comparison.row_numbers}}},
       {"abscissa", comparison.abscissa},

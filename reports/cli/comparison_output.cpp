@@ -28,6 +28,18 @@ std::string measured(std::optional<double> value, const Comparison::Quantity& qu
   return has_unit ? number_of(value) + " " + quantity.unit : number_of(value);
 }
 
+// " at level 1e-2"; nothing if no level is asked for.
+std::string at_level(const Comparison& comparison) {
+  if (comparison.required_level == comparison::strict_level) return "";
+  return fmt::format(" at level {}", level_names.at(comparison.required_level));
+}
+
+std::string tolerance_of(const Comparison::Quantity& quantity) {
+  const std::string tolerance = measured(quantity.tolerance, quantity);
+  if (quantity.required_level == comparison::strict_level) return tolerance;
+  return fmt::format("{} or level {}", tolerance, level_names.at(quantity.required_level));
+}
+
 std::string verdict_of(const Comparison::Quantity& quantity) {
   const auto verdict = comparison::to_string(quantity.agreement);
   if (quantity.agreement != Agreement::undecided || quantity.compared == 0) return std::string(verdict);
@@ -38,8 +50,8 @@ std::string verdict_of(const Comparison::Quantity& quantity) {
 std::string reason_of(const Comparison::Quantity& quantity) {
   if (quantity.compared == 0 && quantity.error.value_or(0.0) == 0.0) return "no point could be compared";
   return fmt::format("error {} at {}, tolerance {}, uncertainty of the reference {}",
-                     measured(quantity.error, quantity), quantity.where,
-                     measured(quantity.tolerance, quantity), measured(quantity.uncertainty, quantity));
+                     measured(quantity.error, quantity), quantity.where, tolerance_of(quantity),
+                     measured(quantity.uncertainty, quantity));
 }
 
 // The verdict on each sequence of events, with the first thing that differs in it.
@@ -65,8 +77,8 @@ Table quantity_table(const std::vector<Comparison::Quantity>& quantities) {
     table.rows.push_back({word(quantity.name), word(to_string(quantity.norm)), count(quantity.compared),
                           word(measured(quantity.error, quantity)),
                           word(quantity.where.empty() ? "-" : quantity.where),
-                          word(measured(quantity.uncertainty, quantity)),
-                          word(measured(quantity.tolerance, quantity)), word(verdict_of(quantity))});
+                          word(measured(quantity.uncertainty, quantity)), word(tolerance_of(quantity)),
+                          word(verdict_of(quantity))});
   return table;
 }
 
@@ -121,9 +133,10 @@ std::vector<TestCase> test_cases_of(const Judged& judged) {
 }  // namespace
 
 std::string conclusion_of(const Comparison& comparison) {
-  const std::string agrees = "agrees" + part_of(comparison), &rows = comparison.row_numbers;
+  const std::string agrees = "agrees" + part_of(comparison) + at_level(comparison),
+                    &rows = comparison.row_numbers;
   if (comparison.agreement == Agreement::agrees) return agrees;
-  if (comparison.agreement == Agreement::differs) return "differs";
+  if (comparison.agreement == Agreement::differs) return "differs" + at_level(comparison);
   const bool settled = std::ranges::all_of(
       comparison.quantities, [](const auto& quantity) { return quantity.agreement == Agreement::agrees; });
   if (settled && !part_of(comparison).empty())

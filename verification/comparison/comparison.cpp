@@ -190,6 +190,13 @@ class Comparer {
     return tolerance;
   }
 
+  // Of what is counted one tolerance for all says nothing.
+  [[nodiscard]] std::size_t required_level_of(const std::string& name, bool is_counted) const {
+    const bool has_own =
+        settings_.tolerances.contains(name) || (!is_counted && settings_.tolerances.contains(""));
+    return has_own ? strict_level : settings_.level;
+  }
+
   void require_known_tolerances() const {
     std::vector<std::string> names;
     for (const data::ComparedValue& value : rule_.values) names.push_back(value.field);
@@ -214,6 +221,7 @@ class Comparer {
       const std::string unit = is_counted ? "rows" : reference_.resource.field(value.field)->unit;
       Comparison::Quantity quantity = count_of(value.field, unit, value.norm, tolerance_of(value));
       quantity.own_tolerance = value.tolerance;
+      quantity.required_level = required_level_of(value.field, is_counted);
       if (!is_counted) quantity.error = quantity.uncertainty = std::nullopt;
       result_.quantities.push_back(std::move(quantity));
     }
@@ -402,8 +410,7 @@ class Comparer {
     for (const std::size_t row : rows) {
       if (!samples.abscissa.empty() && samples.abscissa.back() == abscissa[row]) {
         const double step = std::abs(values[row] - samples.values.back());
-        if (rule_.kind == ComparisonKind::curve &&
-            step > quantity.tolerance * unit_of(quantity.norm, values[row], scale))
+        if (rule_.kind == ComparisonKind::curve && step > allowed_error(quantity, values[row], scale))
           throw InputError(fmt::format(
               "{}: {} is {} as in the row before, but {} is {} there and {} here; it must be the same to the "
               "tolerance of {:g}",
@@ -792,21 +799,30 @@ class Comparer {
   void conclude() {
     const bool is_covered = result_.coverage >= result_.required_coverage;
     if (!is_covered) result_.agreement = Agreement::undecided;
-    result_.level = is_covered ? level_names.size() - 1 : 0;
+    result_.level = is_covered ? strict_level : 0;
+    result_.required_level = settings_.level;
     for (Comparison::Quantity& quantity : result_.quantities) {
       std::erase_if(quantity.series,
                     [](const Comparison::Series& series) { return series.abscissa.empty(); });
       if (quantity.compared == 0 && quantity.agreement == Agreement::agrees)
         quantity.agreement = Agreement::undecided;
-      if (quantity.series.empty() && quantity.compared > 0)
-        quantity.scaled_error = *quantity.error / static_cast<double>(quantity.compared);
+      const bool is_counted = quantity.series.empty() && quantity.compared > 0;
+      if (is_counted) quantity.scaled_error = *quantity.error / static_cast<double>(quantity.compared);
       quantity.level = level_of(quantity);
+      if (is_counted) accept_share(quantity);
       result_.level = std::min(result_.level, quantity.level);
       if (quantity.agreement == Agreement::differs)
         result_.agreement = Agreement::differs;
       else if (quantity.agreement == Agreement::undecided && result_.agreement == Agreement::agrees)
         result_.agreement = Agreement::undecided;
     }
+  }
+
+  // What is counted agrees as well if the share that is wrong keeps the level that is asked for.
+  void accept_share(Comparison::Quantity& quantity) const {
+    quantity.required_level = required_level_of(quantity.name, true);
+    if (quantity.required_level < strict_level && quantity.level >= quantity.required_level)
+      quantity.agreement = quantity.undecided > 0 ? Agreement::undecided : Agreement::agrees;
   }
 
   void require_compared() const {

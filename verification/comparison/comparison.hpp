@@ -41,6 +41,9 @@ constexpr double least_range_coverage = 0.9;
 /// How far a result gets. It is strict if it agrees to the tolerances of the data set, whatever others are asked for. Else it
 /// has the last level that its scaled error does not exceed, and no level if the file covers too little.
 inline constexpr std::array<std::string_view, 5> level_names{"none", "1e-1", "1e-2", "1e-3", "strict"};
+/// The scaled error that a level allows beyond the tolerances; with none no level is asked for.
+inline constexpr std::array<double, 5> level_limits{0.0, 1e-1, 1e-2, 1e-3, 0.0};
+constexpr std::size_t strict_level = level_names.size() - 1;
 
 /// A data set to compare with, read once.
 struct Reference {
@@ -59,6 +62,10 @@ struct Reference {
 struct Settings {
   /// Tolerances that replace those of the data set, by the quantity; "" for all quantities.
   std::map<std::string, double> tolerances;
+  /// The level that is asked for, an index in level_names: a value also agrees if its scaled error does not exceed it, and is
+  /// undecided only if its uncertainty exceeds it as well; so of words and events the share that is wrong. It does not hold for a
+  /// quantity whose tolerance is replaced.
+  std::size_t level{strict_level};
   std::optional<double> until;  ///< latest time to compare, s; it cannot extend the horizon of the data set
   std::optional<data::UserTable> events{};  ///< events of the same run, for a data set of the kind phases
   /// The first and the last number of rows of the data set that the file must have, counted from 1; empty: of all rows.
@@ -90,6 +97,7 @@ struct Comparison {
     /// and events the share that is wrong.
     double scaled_error{};
     std::size_t level{};  ///< index in level_names
+    std::size_t required_level{strict_level};
     /// Error and uncertainty of the point with the largest e - u; empty if no point was compared.
     std::optional<double> error;
     std::optional<double> uncertainty;
@@ -105,7 +113,8 @@ struct Comparison {
   data::ComparisonKind kind{};
   std::string abscissa, abscissa_unit;  ///< of the series; empty if it is the row number
   Agreement agreement{};
-  std::size_t level{};  ///< the least of quantities and parts, an index in level_names
+  std::size_t level{};                       ///< the least of quantities and parts, an index in level_names
+  std::size_t required_level{strict_level};  ///< Settings::level
   /// The share of what is asked for that the file covers: of the rows of a table, else of the range, the least of all
   /// groups; and the share that is needed. With less, what does not differ is undecided.
   double coverage{1.0}, required_coverage{1.0};

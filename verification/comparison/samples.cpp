@@ -151,6 +151,11 @@ double unit_of(Norm norm, double reference, double scale) {
   return norm == Norm::scale || norm == Norm::range ? scale : 1.0;
 }
 
+double allowed_error(const Comparison::Quantity& quantity, double reference, double scale) {
+  return std::max(quantity.tolerance * unit_of(quantity.norm, reference, scale),
+                  level_limits.at(quantity.required_level) * scale);
+}
+
 bool is_angle(const std::string& unit, Norm norm) { return unit == "rad" && norm == Norm::absolute; }
 
 double nearest_angle(double angle, double reference) {
@@ -179,16 +184,18 @@ void judge(Comparison::Quantity& quantity, const ComparedSample& point, double s
   series.theirs.push_back(theirs);
   series.reference.push_back(reference);
   series.half_width.push_back(half_width);
-  series.allowed.push_back(half_width + quantity.tolerance * unit);
+  series.allowed.push_back(half_width + allowed_error(quantity, reference, scale));
   ++quantity.compared;
 
   const double distance = std::abs(theirs - reference), error = distance / unit,
                uncertainty = half_width / unit;
-  quantity.scaled_error = std::max(quantity.scaled_error, (distance - half_width) / scale);
+  const double scaled_error = (distance - half_width) / scale,
+               limit = level_limits.at(quantity.required_level);
+  quantity.scaled_error = std::max(quantity.scaled_error, scaled_error);
   quantity.is_strict = quantity.is_strict && uncertainty <= quantity.own_tolerance &&
                        error <= quantity.own_tolerance + uncertainty;
-  const bool differs = error > quantity.tolerance + uncertainty;
-  const bool undecided = !differs && uncertainty > quantity.tolerance;
+  const bool differs = error > quantity.tolerance + uncertainty && scaled_error > limit;
+  const bool undecided = !differs && uncertainty > quantity.tolerance && half_width / scale > limit;
   quantity.undecided += undecided ? 1 : 0;
   if (differs)
     quantity.agreement = Agreement::differs;
@@ -203,9 +210,9 @@ void judge(Comparison::Quantity& quantity, const ComparedSample& point, double s
 
 std::size_t level_of(const Comparison::Quantity& quantity) {
   if (quantity.compared == 0) return 0;
-  if (quantity.is_strict) return level_names.size() - 1;
+  if (quantity.is_strict) return strict_level;
   std::size_t level = 0;
-  for (const double limit : {1e-1, 1e-2, 1e-3}) level += quantity.scaled_error <= limit ? 1 : 0;
+  while (level + 1 < strict_level && quantity.scaled_error <= level_limits.at(level + 1)) ++level;
   return level;
 }
 

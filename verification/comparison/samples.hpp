@@ -71,6 +71,9 @@ struct ComparedSamples {
 /// that is 0, the scale.
 [[nodiscard]] double unit_of(data::Norm norm, double reference, double scale);
 
+/// The error that is allowed beyond the half-widths, in the unit of the quantity: by its tolerance or its level.
+[[nodiscard]] double allowed_error(const Comparison::Quantity& quantity, double reference, double scale);
+
 /// Whether the values are angles, which are right to whole turns.
 [[nodiscard]] bool is_angle(const std::string& unit, data::Norm norm);
 

@@ -14,7 +14,7 @@ import sys
 from xml.etree import ElementTree
 
 from ._data import BLANKS, InputError, load, names, number, printable, rows_of, unit_named
-from ._judge import judge
+from ._judge import LEVELS, LIMITS, judge, tolerances_of
 
 COLOURS = {0: "#2e7d32", 1: "#c62828", 2: "#616161", 3: "#b26a00"}
 
@@ -34,10 +34,11 @@ def _mapping(text):
 
 
 def _tolerance(text):
-    name, equals, value = text.rpartition("=")
-    if (equals and not name) or value[:1] == "+" or "d" in value.lower() or number(value) is None:
-        raise argparse.ArgumentTypeError(f"'{text}' must be a number or QUANTITY=NUMBER, as in frequency=1e-3")
-    return name, number(value)
+    try:
+        (tolerance,) = tolerances_of(text.replace(" ", "_")).items()  # one alone, without blanks
+    except ValueError:  # none, several or one that is refused
+        raise argparse.ArgumentTypeError(f"'{text}' must be a number or QUANTITY=NUMBER, as in frequency=1e-3") from None
+    return tolerance
 
 
 def _time(text):
@@ -56,10 +57,12 @@ def _parser():
     one.add_argument("name", nargs="?", metavar="NAME", help="a data set that 'list' names")
     one.add_argument("file", nargs="?", metavar="FILE", help="CSV file with the columns of the data set, - for standard input")
     once = {"action": _Once, "metavar": "FILE"}
-    one.add_argument("--manifest", **once, help="CSV file with the columns data_set and file, and events and rows if need be: judges them all")
+    one.add_argument("--manifest", **once, help="CSV file with the columns data_set and file, and events, rows, tolerance and "
+                     "level if need be: judges them all")
     one.add_argument("--columns", **{**once, "metavar": "A,B,..."}, help="the names of the columns of FILE, if it has none")
     one.add_argument("--column", action="append", type=_mapping, default=[], metavar="REFERENCE=YOURS[:UNIT]")
     one.add_argument("--tolerance", action="append", type=_tolerance, default=[], metavar="[QUANTITY=]NUMBER")
+    one.add_argument("--level", action=_Once, choices=LIMITS, help="agree as well with a scaled error of at most this; strict: by tolerances alone")
     one.add_argument("--rows", **{**once, "metavar": "1:12,15"}, help="the rows of the data set that FILE must have")
     one.add_argument("--until", type=_time, **{**once, "metavar": "S"}, help="compare nothing later")
     one.add_argument("--events", **once, help="changes of contact of the same run")
@@ -70,10 +73,10 @@ def _parser():
 
 
 def _jobs(options):
-    """Name, file, events and rows of what is to be judged. The files of a manifest are in its folder or below."""
+    """Name, file, events, rows, tolerance and level of what is to be judged. The files of a manifest are in its folder or below."""
     if not options.manifest:
-        return [(options.name, options.file, options.events, options.rows)]
-    folder, known, jobs = pathlib.Path(options.manifest).parent, ("data_set", "file", "events", "rows"), []
+        return [(options.name, options.file, options.events, options.rows, "", options.level)]
+    folder, known, jobs = pathlib.Path(options.manifest).parent, ("data_set", "file", "events", "rows", "tolerance", "level"), []
     columns, rows, _, places = rows_of(options.manifest, options.manifest)
     for column in columns:
         if column not in known or columns.count(column) > 1:
@@ -85,7 +88,8 @@ def _jobs(options):
         for column in ("file", "events"):
             if job[column] == "-" or job[column].startswith("/") or ".." in job[column].split("/"):
                 raise InputError(f"{place}: {column} is {printable(job[column])}, but must be a path inside the folder of the manifest")
-        jobs.append((job["data_set"], folder / job["file"], folder / job["events"] if job["events"] else None, job["rows"]))
+        jobs.append((job["data_set"], folder / job["file"], folder / job["events"] if job["events"] else None, job["rows"], job["tolerance"],
+                     job["level"] or options.level))
     return jobs
 
 
@@ -98,7 +102,7 @@ def _junit(results):
         if judgement is not None:
             is_covered = judgement.coverage >= judgement.required_coverage
             cases = [("coverage", "agrees" if is_covered else "undecided", judgement.conclusion)]
-            cases += [(one.name, one.verdict, f"error {one.error} at {one.where}, tolerance {one.tolerance}")
+            cases += [(one.name, one.verdict, f"error {one.error} at {one.where}, tolerance {one.tolerance}, level {one.required_level}")
                       for one in judgement.quantities]
         for case, verdict, message in cases:
             test = ElementTree.SubElement(suite, "testcase", classname=name, name=case)
@@ -112,10 +116,13 @@ def _junit(results):
 
 
 def _badge(results, status):
-    """An SVG image: the name and the verdict with its level, or how many files agree."""
+    """An SVG image: the name and the verdict with its level, or how many files agree, at the least level that is asked for."""
     name, judgement, _ = results[0]
     said = "refused" if judgement is None else judgement.conclusion + (f" ({judgement.level})" if judgement else "")
-    label, said = (name, said) if len(results) == 1 else ("stickslip", f"{sum(bool(j) for _, j, _ in results)} of {len(results)} agree")
+    if len(results) > 1:
+        level = min((j.required_level for _, j, _ in results if j is not None), key=LEVELS.index, default="strict")
+        name, said = "stickslip", f"{sum(bool(j) for _, j, _ in results)} of {len(results)} agree" + (f" at level {level}" if level != "strict" else "")
+    label = name
     left, right = (10 + 7 * len(text) for text in (label, said))
     label, said = html.escape(label), html.escape(said)
     parts = "".join(f'<rect x="{x}" width="{w}" height="20" fill="{fill}"/><text x="{x + w / 2:g}" y="14" textLength="{w - 10}">{text}'
@@ -157,10 +164,10 @@ def _write(file, text):
 
 def _judged(options):
     results = []
-    for name, file, events, rows in _jobs(options):
+    for name, file, events, rows, tolerance, level in _jobs(options):
         try:
-            judgement = judge(name, file, columns=options.columns, mapping=options.column, tolerance=dict(options.tolerance), until=options.until,
-                              rows=rows, events=events, is_foreign=bool(options.manifest))
+            judgement = judge(name, file, columns=options.columns, mapping=options.column, until=options.until, level=level,
+                              tolerance={**dict(options.tolerance), **tolerances_of(tolerance)}, rows=rows, events=events, is_foreign=bool(options.manifest))
             results.append((printable(name), judgement, None))
         except InputError as error:
             results.append((printable(name), None, str(error)))

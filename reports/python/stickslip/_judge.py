@@ -13,6 +13,7 @@ from ._data import InputError, Results, load, mappings_of, number, printable
 INFINITY = math.inf
 RANGE_COVERAGE = 0.9  # the share of a curve that a verdict needs; of a table it needs all rows, or those that are named
 LEVELS = ("none", "1e-1", "1e-2", "1e-3", "strict")
+LIMITS = {"1e-1": 1e-1, "1e-2": 1e-2, "1e-3": 1e-3, "strict": 0.0}  # the scaled error that a level allows beyond the tolerances
 EXIT_STATUS = {"agrees": 0, "differs": 1, "undecided": 3, "partly": 3}
 
 
@@ -29,6 +30,7 @@ class Quantity:
     norm: str
     tolerance: float
     own_tolerance: float = 0.0  # of the data set
+    required_level: str = "strict"
     verdict: str = "agrees"
     error: float = None
     uncertainty: float = None
@@ -44,13 +46,18 @@ class Quantity:
     def level(self):
         """strict: agrees to the tolerance of the data set; else the least of 1e-3, 1e-2 and 1e-1 that the scaled error keeps."""
         scaled = self.error / max(self.compared, 1) if self.norm == "word" else self.scaled_error
-        return LEVELS[0 if not self.compared else 4 if self.is_strict else sum(scaled <= limit for limit in (1e-1, 1e-2, 1e-3))]
+        return LEVELS[0 if not self.compared else 4 if self.is_strict else sum(scaled <= LIMITS[one] for one in LEVELS[1:4])]
 
     def count(self, where):
         """One more that differs, of what is counted."""
         self.where, self.error = self.where if self.error else where, self.error + 1
         self.is_strict = self.error <= self.own_tolerance
         self.verdict = "differs" if self.error > self.tolerance else self.verdict
+
+    def accept_share(self):
+        """What is counted agrees as well if the share that is wrong keeps the level that is asked for."""
+        if self.required_level != "strict" and self.compared and LEVELS.index(self.level) >= LEVELS.index(self.required_level):
+            self.verdict = "undecided" if self.undecided else "agrees"
 
     def add(self, point, units, where):
         """A point has the abscissa, their value and the reference, each with its half-width; units are those of the norm and the level."""
@@ -60,15 +67,16 @@ class Quantity:
             return
         if self.unit == "rad" and self.norm == "absolute":  # right to whole turns
             theirs = reference + math.remainder(theirs - reference, 2 * math.pi)
-        distance, unit = abs(theirs - reference), units[0]
+        distance, unit, limit = abs(theirs - reference), units[0], LIMITS[self.required_level]
         error, uncertainty = distance / unit, (width + their_width) / unit
+        scaled = (distance - width - their_width) / units[1]
         self.abscissas.append(abscissa)
         self.compared += 1
-        self.scaled_error = max(self.scaled_error, (distance - width - their_width) / units[1])
+        self.scaled_error = max(self.scaled_error, scaled)
         self.is_strict = self.is_strict and uncertainty <= self.own_tolerance and error <= self.own_tolerance + uncertainty
-        if error > self.tolerance + uncertainty:
+        if error > self.tolerance + uncertainty and scaled > limit:
             self.verdict = "differs"
-        elif uncertainty > self.tolerance:
+        elif uncertainty > self.tolerance and (width + their_width) / units[1] > limit:
             self.undecided += 1
             self.verdict = "undecided" if self.verdict == "agrees" else self.verdict
         if self.error is None or error - uncertainty > self.error - self.uncertainty:
@@ -229,8 +237,8 @@ def _match(reference, theirs, horizon, end, tolerance):
 # --- the comparison
 
 class _Comparison:
-    def __init__(self, reference, theirs, tolerances, until, rows, of_events, their_events):
-        self.reference, self.theirs, self.until, self.tolerances = reference, theirs, until, tolerances
+    def __init__(self, reference, theirs, tolerances, level, until, rows, of_events, their_events):
+        self.reference, self.theirs, self.until, self.tolerances, self.level = reference, theirs, until, tolerances, level
         self.of_events, self.their_events = of_events, their_events
         self.rule, self.kind, key = reference.comparison, reference.comparison["kind"], reference.key
         self.own_horizon = self.rule.get("horizon", INFINITY)
@@ -254,6 +262,8 @@ class _Comparison:
         self.quantities = [Quantity(name, reference.units[name] or "", value["norm"], self._tolerance(value), value["tolerance"])
                            if value["norm"] != "word" else _counted(name, tolerance=self._tolerance(value))
                            for name, value in self.rules.items() if name in theirs.cells]
+        for quantity in self.quantities:
+            quantity.required_level = self._required_level(quantity)
         self.remarks += [f"{name} is not in the file and was not compared" for name in self.rules if name not in theirs.cells]
         self._use_known_keys()
         self._require_order(reference, theirs, self.kind, self.abscissa, self.group_columns)
@@ -266,6 +276,11 @@ class _Comparison:
     def _tolerance(self, value):
         general = value["tolerance"] if value["norm"] == "word" else self.tolerances.get("", value["tolerance"])
         return self.tolerances.get(value["field"], general)
+
+    def _required_level(self, quantity):
+        """Of what is counted one tolerance for all says nothing."""
+        has_own = quantity.name in self.tolerances or (quantity.norm != "word" and "" in self.tolerances)
+        return "strict" if has_own else self.level
 
     # --- keys and rows
 
@@ -427,7 +442,8 @@ class _Comparison:
         for row in rows:
             if not points or points[-1][0] != x[row]:
                 points.append((x[row], y[row], 0.0))
-            elif self.kind == "curve" and abs(y[row] - points[-1][1]) > quantity.tolerance * units(y[row])[0]:
+            elif self.kind == "curve" and abs(y[row] - points[-1][1]) > max(
+                    quantity.tolerance * units(y[row])[0], LIMITS[quantity.required_level] * units(y[row])[1]):
                 raise InputError(f"{self.theirs.places[row]}: {self.abscissa} is {x[row]:g} as in the row before, but {quantity.name} is "
                                  f"{points[-1][1]:g} there and {y[row]:g} here")
         return Samples(points)
@@ -595,6 +611,9 @@ class _Comparison:
     def _judged(self, name):
         getattr(self, self.kind)()
         for quantity in self.quantities:
+            if quantity.norm == "word":
+                quantity.required_level = self._required_level(quantity)
+                quantity.accept_share()
             if not quantity.compared and quantity.verdict == "agrees":
                 quantity.verdict = "undecided"
         verdicts, is_covered = {quantity.verdict for quantity in self.quantities}, self.coverage >= self.required
@@ -602,7 +621,7 @@ class _Comparison:
         if verdict == "agrees" and not is_covered:
             verdict = "partly" if len(self.present) < sum(len(rows) for _, rows, _ in self.groups) else "undecided"
         level = min((quantity.level for quantity in self.quantities), key=LEVELS.index) if is_covered else LEVELS[0]
-        return Judgement(name, self.reference.title, verdict, level, self.quantities, self.remarks, self.coverage, self.required,
+        return Judgement(name, self.reference.title, verdict, level, self.level, self.quantities, self.remarks, self.coverage, self.required,
                          len(self.present), sum(len(rows) for _, rows, _ in self.groups))
 
 
@@ -610,12 +629,14 @@ class _Comparison:
 class Judgement:
     """What judge() says. The verdict is "agrees", "differs", "undecided" or "partly": what was given agrees, but rows are missing.
 
-    The level is "strict", "1e-3", "1e-2", "1e-1" or "none": the least of its quantities. bool() is whether it agrees.
+    The level is "strict", "1e-3", "1e-2", "1e-1" or "none": the least of its quantities. required_level is the one that was asked for.
+    bool() is whether it agrees.
     """
     name: str
     title: str
     verdict: str
     level: str
+    required_level: str
     quantities: list
     remarks: list
     coverage: float  # of the rows or of the range, from 0 to 1
@@ -634,7 +655,8 @@ class Judgement:
     @property
     def conclusion(self):
         is_part = self.verdict in ("agrees", "partly") and self.rows < self.all_rows
-        return f"agrees in {self.rows} of {self.all_rows} rows" if is_part else self.verdict
+        at_level = f" at level {self.required_level}" if self.required_level != "strict" and self.verdict != "undecided" else ""
+        return (f"agrees in {self.rows} of {self.all_rows} rows" if is_part else self.verdict) + at_level
 
     def as_dict(self):
         """For JSON."""
@@ -648,6 +670,7 @@ class Judgement:
         lines = [("quantity", "norm", "compared", "error", "uncertainty", "tolerance", "level", "verdict", "at")]
         for one in self.quantities:
             numbers = ["-" if x is None else f"{x:.3g}" for x in (one.error, one.uncertainty, one.tolerance)]
+            numbers[2] += f" or level {one.required_level}" if one.required_level != "strict" else ""
             lines.append((one.name, one.norm, str(one.compared), *numbers, one.level, one.verdict, one.where))
         widths = [max(map(len, column)) for column in zip(*lines)]
         table = ["  ".join(cell.ljust(width) for cell, width in zip(line, widths)).rstrip() for line in lines]
@@ -673,13 +696,36 @@ def _rows_of(rows, reference):
     return {row for one in ranges for row in one}
 
 
-def judge(name, data, *, columns=None, tolerance=None, until=None, rows=None, events=None, mapping=(), is_foreign=False):
+def level_of(level):
+    """The name of a level that is asked for."""
+    name = level if isinstance(level, str) else next((one for one, limit in LIMITS.items() if limit and number(level) == limit), None)
+    if level is not None and name not in LIMITS:
+        raise InputError(f"the level is {printable(level)}, but must be one of {', '.join(LIMITS)}")
+    return name or "strict"
+
+
+def tolerances_of(tolerance):
+    """By quantity, "" for all. A text has QUANTITY=NUMBER, or a number, with blanks between several."""
+    if not isinstance(tolerance, str):
+        return tolerance if isinstance(tolerance, dict) else {} if tolerance is None else {"": tolerance}
+    tolerances = {}
+    for text in filter(None, tolerance.split(" ")):
+        name, equals, value = text.rpartition("=")
+        if (equals and not name) or value[:1] == "+" or "d" in value.lower() or number(value) is None:
+            raise InputError(f"the tolerance is '{printable(text)}', but must be a number or QUANTITY=NUMBER, as in frequency=1e-3")
+        tolerances[name] = number(value)
+    return tolerances
+
+
+def judge(name, data, *, columns=None, tolerance=None, level=None, until=None, rows=None, events=None, mapping=(), is_foreign=False):
     """The Judgement of results: a file (CSV and its relatives, perhaps gzip), or columns in memory.
 
     data: a path, a mapping of names to sequences (a number or word stands for all rows), a structured array, a table of pandas, or
     rows with their names in `columns`. A name may have a unit ("frequency [kHz]"), else it is that of the data set.
     columns: the names, of data without them; or, here or as `mapping`, {"frequency": "f1:kHz"}, which of them is which.
-    tolerance: a number for all quantities, or one for each in a mapping. until: compare nothing later, s.
+    tolerance: a number for all quantities, or one for each in a mapping or a text as "frequency=1e-3 power=1e-2".
+    level: "1e-2" or 0.01, so "1e-1" and "1e-3": a value agrees as well if its scaled error is at most that; "strict": by tolerances
+    alone. until: compare nothing later, s.
     rows: numbers, from 1, of the rows of the data set that were meant, or a text as "1:12,15"; None: all. events: changes of contact
     of the same history. is_foreign: someone else names the file, so that no message shows the names in it.
     A wrong result raises nothing. Throws InputError for what cannot be used.
@@ -691,7 +737,7 @@ def judge(name, data, *, columns=None, tolerance=None, until=None, rows=None, ev
     if events is not None and not of_events:
         raise InputError(f"events are given, but {name} is no history with events of its own")
     table = load(of_events) if of_events else None
-    tolerances = tolerance if isinstance(tolerance, dict) else {} if tolerance is None else {"": tolerance}
+    tolerances = tolerances_of(tolerance)
     for what, value in [("tolerance", value) for value in tolerances.values()] + [("latest time", until)] * (until is not None):
         if isinstance(value, str) or number(value) is None or value < 0:
             raise InputError(f"the {what} is {printable(value)}, but must be a finite number that is not negative")
@@ -700,5 +746,5 @@ def judge(name, data, *, columns=None, tolerance=None, until=None, rows=None, ev
         raise InputError(f"the columns are {printable(names)}, but must be names, or a mapping of names to names")
     mappings = mappings_of(mapping, {**reference.types, **(table.types if events is not None else {})})
     their_events = None if events is None else Results(table, events, None, mappings, is_foreign)
-    return _Comparison(reference, Results(reference, data, names, mappings, is_foreign), tolerances, until, _rows_of(rows, reference),
+    return _Comparison(reference, Results(reference, data, names, mappings, is_foreign), tolerances, level_of(level), until, _rows_of(rows, reference),
                        table, their_events).run()

@@ -41,6 +41,8 @@ TEST(JudgedPoints, HaveTheVerdictOfTheirDefinition) {
     for (int i = 0; i < 500; ++i) {
       Comparison::Quantity found;
       found.norm = norm, found.tolerance = eighths(), found.own_tolerance = eighths();
+      found.required_level = draw.whole(0, 1) == 0 ? comparison::strict_level : 1;
+      const double limit = comparison::level_limits.at(found.required_level);
       found.series.emplace_back();
       bool differs = false, is_strict = true;
       std::size_t undecided = 0;
@@ -51,9 +53,11 @@ TEST(JudgedPoints, HaveTheVerdictOfTheirDefinition) {
                      theirs = reference + (draw.whole(0, 1) == 0 ? e : -e) * unit;
         comparison::judge(found, {0.0, {theirs, half}, comparison::Interpolated{reference, half}}, scale,
                           place);
-        const bool is_off = e > found.tolerance + u;
+        const bool is_off = e > found.tolerance + u && (e - u) * unit / scale > limit;
         differs = differs || is_off;
-        undecided += !is_off && u > found.tolerance ? 1 : 0;
+        undecided += !is_off && u > found.tolerance && u * unit / scale > limit ? 1 : 0;
+        EXPECT_EQ(found.series.back().allowed.back(),
+                  u * unit + std::max(found.tolerance * unit, limit * scale));
         is_strict = is_strict && u <= found.own_tolerance && e <= found.own_tolerance + u;
         scaled = std::max(scaled, (e - u) * unit / scale);
         if (e - u > most) most = e - u, where = place;

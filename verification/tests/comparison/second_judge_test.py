@@ -68,7 +68,11 @@ READINGS = [
 ]
 MANIFESTS = [
     (0, "data_set,file,rows\nS,good.csv,1:50"), (0, "data_set;file\nS;good.csv"), (0, "# mine\nfile,data_set\n good.csv , S\n"), (0, "\ufeffdata_set,file\nS,a/good.csv"),
-    (2, "data_set,file,tolerance\nS,good.csv,1"), (2, "data_set,file,row\nS,good.csv,1:3"), (2, "data_set,file,file\nS,good.csv,good.csv"), (2, "data_set,file\n"),
+    (0, "data_set,file,tolerance\nS,good.csv,1"), (0, "data_set,file,tolerance,level\nS,good.csv, 1  frequency=0.1 ,"), (2, "data_set,file,tolerance\nS,good.csv,mode=1"),
+    *[(2, f"data_set,file,tolerance\nS,good.csv,{text}") for text in ("x", "frequency=+1", "=1", "1_0", "frequency =1")],
+    *[(status, f"data_set,file,rows,level,tolerance\nS,mesh.csv,1:10,{level}") for status, level in (
+        (1, ","), (1, "strict,"), (1, "1e-3,"), (0, "1e-2,"), (0, "1e-1,"), (1, "1e-2,frequency=1e-3"), (1, "1e-2,1e-3"), (0, "strict,1e-2"), (2, "0.01,"), (2, "none,"))],
+    (1, "data_set,file,rows,level\nS,mesh.csv,1:10,1e-2\nS,mesh.csv,1:10,\n"), (2, "data_set,file,levels\nS,good.csv,1e-2"), (2, "data_set,file,row\nS,good.csv,1:3"), (2, "data_set,file,file\nS,good.csv,good.csv"), (2, "data_set,file\n"),
     (2, "data_set\nS"), (2, "data_set,file\nS,"), (2, "data_set,file\nS,good.csv,1"), (2, "data_set,file\nS,-"), (2, "data_set,file\nS,/etc/passwd"),
     (2, "data_set,file\nS,a/../good.csv"), (2, "data_set,file,events\nS,good.csv,../e.csv"), (2, "data_set,file\nS,secret.csv"),
     *[(2, f"data_set,file,rows\nS,good.csv,{rows}") for rows in ("\u00b2", "0", "3:1", "1:99999999999", "1:", "1:2:3", "+1", "1e0", 30 * "9", "1:51")],
@@ -98,13 +102,19 @@ def copies(table):
     yield "sign", scaled(-1), []
     yield "a narrow tolerance", everything, ["--tolerance", "1e-9"]
     yield "a wide tolerance", scaled(1.02), ["--tolerance", "0.1"]
+    yield "a fiftieth at level 1e-1", scaled(1.02), ["--level", "1e-1"]
+    yield "a fiftieth at level 1e-2", scaled(1.02), ["--level", "1e-2"]
+    yield "a fiftieth at level 1e-1, but for a tolerance", scaled(1.02), ["--level", "1e-1", "--tolerance", "1e-9"]
     yield "single precision", text_of([head, *([cell if table.types[name] != "number" or not cell else repr(array.array("f", [float(cell)])[0])
                                                 for name, cell in zip(head, row)] for row in rows)]), []
     for word in (name for name in ("change", "phase", "verdict") if name in head):
         words = sorted(set(table.text[word]))
         swap = dict(zip(words, words[1:] + words[:1]))
         yield f"{word} interchanged", text_of(changed(table, word, lambda cell, row: swap[cell])), []
+        yield f"one {word} changed, at level 1e-1", text_of(changed(table, word, lambda cell, row: swap[cell] if row == 2 else cell)), ["--level", "1e-1"]
         yield f"{word} foreign", text_of(changed(table, word, lambda cell, row: "foo")), []
+    for level in ("1e-1", "1e-3") if kind in ("curve", "phases") else ():
+        yield f"every sixth row, at level {level}", text_of([head, *rows[::6]]), ["--level", level]
     if kind == "table":
         yield "an unknown row", text_of([head, *rows, [cell if table.types[name] == "string" else "77" for name, cell in zip(head, rows[-1])]]), []
         yield "some rows, as meant", text_of([head, *rows[:3]]), ["--rows", "1:3"]
@@ -174,7 +184,7 @@ def random_file(draw, table, events_file):
         events_file.write_text(text_of([names, *changes]))
         options = ["--events", str(events_file)]
     if draw.random() < 0.6:
-        return text_of([head, *rows], draw.choice(",,;\t")).encode(), options or draw.choice([[]] * 3 + [["--tolerance", repr(10 ** draw.uniform(-9, 0))]])
+        return text_of([head, *rows], draw.choice(",,;\t")).encode(), options or draw.choice([[]] * 3 + [["--tolerance", repr(10 ** draw.uniform(-9, 0))], ["--level", draw.choice(["1e-1", "1e-2", "1e-3"])]])
     share = draw.choice([0, 0, 0, 2, 4, 30]) / table.rows / len(head)
     rows = [[random_cell(draw, cell) if draw.random() < share else cell for cell in row] for row in rows]
     head = [draw.choice([name] * 100 + [name.upper(), name.replace("_", draw.choice("- ")), f"{name} [{table.units[name]}]", f"{name}_mm", f"{name} / ms",
@@ -194,6 +204,7 @@ def random_file(draw, table, events_file):
     return text, options or draw.choice([[]] * 12 + [
         ["--rows", draw.choice(["1:3", f"1:{max(len(rows), 1)}", "2", "1,3:4", "\u00b2", "1:99999999999", "0"])],
         ["--tolerance", draw.choice(["1e-3", "1e-400", "1e-30", "0.5", "=1", "1_0", "nan"])],
+        ["--level", draw.choice(["1e-1", "1e-2", "1e-3", "strict", "none", "0.01", "1e-4"])], ["--level", "1e-2"],
         ["--until", draw.choice(["0", "0.1", "10 ms", "nan", "1e9", "-1"])], ["--columns", ",".join(head)],
         ["--column", f"{draw.choice([*table.types])}={draw.choice(head)}{draw.choice(['', ':ms', ' : Hz'])}"]])
 
@@ -209,7 +220,7 @@ def essence(one):
         sorted(filter(None, q["skipped"].values() if isinstance(q["skipped"], dict) else (reason["points"] for reason in q["skipped"]))))
         for q in one["quantities"]}
     rows = (one["rows"]["compared"], one["rows"]["of"]) if isinstance(one["rows"], dict) else (one["rows"], one["all_rows"])
-    return (one["verdict"].replace("partly", "undecided"), one["level"], digits(one["coverage"]), rows, quantities,
+    return (one["verdict"].replace("partly", "undecided"), one["level"], one["required_level"], digits(one["coverage"]), rows, quantities,
             [(part.get("name", part.get("data_set")), part["level"]) for part in one["parts"]])
 
 
@@ -311,17 +322,48 @@ class BothJudges(unittest.TestCase):
                 counts.update(verdict for verdict, _ in self.verdicts(name, files))
         print(f"random files, seed {seed}: {dict(counts)}", file=sys.stderr)
 
+    @staticmethod
+    def write_mesh(path):
+        """Ten frequencies with the error of 20 Hermite elements, (k h)^4/1440 with k h = mode pi/20."""
+        table = stickslip.load("stick-frequencies")
+        rows = [(table["beam"][i], str(table["mode"][i]), repr(float(table["frequency"][i] * (1 + (table["mode"][i] * math.pi / 20)**4 / 1440))))
+                for i in range(10)]
+        path.write_text(text_of([("beam", "mode", "frequency"), *rows]))
+
+    def test_judge_by_a_level(self):
+        mesh = self.folder / "mesh.csv"
+        self.write_mesh(mesh)
+        self.describe("stick-frequencies")
+        for level, status in ("1e-1", 0), ("1e-2", 0), ("1e-3", 1), ("strict", 1), ("none", 2), ("0.01", 2), ("", 2):
+            both = [judge("stick-frequencies", str(mesh), "--rows=1:10", f"--level={level}", *package)
+                    for judge, package in ((compared, ["--package", str(self.folder / "package")]), (judged, []))]
+            self.assertEqual([one for one, _ in both], [status, status], f"{level}: {both}")
+            for _, said in both if level in ("1e-2", "1e-3") else ():
+                self.assertRegex(said, f"(agrees in 10 of 50 rows|differs) at level {level}")
+        for half_width, verdict in (0.005, "agrees"), (0.02, "undecided"):
+            one = stickslip.Quantity("f", "", "scale", 1e-6, 1e-6, "1e-2")
+            one.add((0, (1.0, 0.0), (1.0, half_width)), (1.0, 1.0), "here")
+            self.assertEqual((one.verdict, one.undecided), (verdict, int(verdict == "undecided")))
+        agrees = stickslip.judge("stick-frequencies", mesh, rows="1:10", level=0.01)
+        self.assertEqual((bool(agrees), agrees.level, agrees.required_level), (True, "1e-2", "1e-2"))
+        self.assertIn("at level 1e-2 (1e-2)", judged("stick-frequencies", str(mesh), "--rows=1:10", "--level=1e-2", "--badge=-")[1])
+
     def test_say_the_same_of_a_manifest(self):
         (self.folder / "m/a").mkdir(parents=True)
         manifest = self.folder / "m/results.csv"
         for place in ("good.csv", "a/good.csv"):
             shutil.copy(ROOT / "data/reference/frequencies/stick.csv", manifest.parent / place)
+        self.write_mesh(manifest.parent / "mesh.csv")
         (manifest.parent / "secret.csv").write_text("hunter2:x\n")
         for status, text in MANIFESTS:
             manifest.write_text(re.sub(r"\bS\b", "stick-frequencies", text))
             said = [judge("--manifest", str(manifest)) for judge in (compared, judged)]
             self.assertEqual([one for one, _ in said], [status, status], f"{text} {said}")
             self.assertNotIn("hunter2", str(said))
+        manifest.write_text("data_set,file,rows,level\nstick-frequencies,mesh.csv,1:10,\nstick-frequencies,good.csv,,strict\n")
+        for status, *options in (1,), (0, "--level=1e-2"), (1, "--level=1e-3"), (1, "--level=1e-2", "--tolerance=1e-3"):
+            self.assertEqual([judge("--manifest", str(manifest), *options)[0] for judge in (compared, judged)], [status, status], options)
+        self.assertIn("2 of 2 agree at level 1e-2", judged("--manifest", str(manifest), "--level=1e-2", "--badge=-")[1])
         for option in ("--rows=1:3", "--until=1", "--column=frequency=f", "--columns=a", "--events=e.csv"):
             self.assertEqual((compared("--manifest", str(manifest), option)[0], judged("--manifest", str(manifest), option)[0]), (2, 2))
 
