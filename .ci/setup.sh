@@ -25,7 +25,7 @@ check_packages=(clang clang-tidy gcovr)
 # What the tests need besides: their framework, what typesets the manual page, what checks the traceability, fills in the templates of the
 # report, tests the Python package, and makes the Debian package.
 # shellcheck disable=SC2034
-test_packages=(libgtest-dev groff-base python3 python3-jinja2 python3-jsonschema python3-pytest python3-setuptools dpkg-dev file)
+test_packages=(libgtest-dev groff-base python3 python3-jinja2 python3-jsonschema python3-pip python3-pytest python3-venv dpkg-dev file)
 
 # Ninja would work on two sources more than there are processors, which takes longer.
 CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}

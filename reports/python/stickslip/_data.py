@@ -33,14 +33,17 @@ class InputError(ValueError):
 
 @functools.lru_cache(maxsize=None)
 def package():
-    """The folder of the data and their descriptions by name. In a checkout they are those of the repository."""
-    here = pathlib.Path(__file__).resolve()
-    folder = next(p for p in (here.parent / "reference", here.parents[3] / "data/reference") if p.is_dir())
+    """The folder of the data and their descriptions by name. In a checkout it is a link to data/reference."""
+    folder = pathlib.Path(__file__).resolve().parent / "reference"
     return folder, {one["name"]: one for one in json.loads((folder / "datapackage.json").read_bytes())["resources"]}
 
 
 def names():
-    """The names of all data sets."""
+    """The names of all data sets.
+
+    >>> "stick-history" in stickslip.names()
+    True
+    """
     return list(package()[1])
 
 
@@ -95,7 +98,12 @@ class Table:
 
 
 def load(name):
-    """The data set of this name, a Table. Throws InputError, with the names that are near, for an unknown one."""
+    """The data set of this name, a Table. Throws InputError, with the names that are near, for an unknown one.
+
+    >>> history = stickslip.load("stick-history")
+    >>> history.units["friction_force"], len(history["time"])
+    ('N', 1000)
+    """
     if name not in names():
         raise InputError(f"the data set {printable(name)} is unknown{suggestion(printable(name), names())}; stickslip.names() has all")
     return _table(name)

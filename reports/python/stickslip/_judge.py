@@ -678,7 +678,7 @@ class Judgement:
         parts = [f"{part.name}: {part.conclusion}, level {part.level}" for part in self.parts]
         return "\n".join([f"{self.name}: {self.title}", "", *table, "", *skipped, *self.remarks, *parts,
                           f"coverage: {100 * self.coverage:.3g} %, at least {100 * self.required_coverage:g} % needed",
-                          f"{self.conclusion}, level {self.level}"])
+                          f"{self.conclusion}, {'reached' if self.required_level != 'strict' else 'level'} {self.level}"])
 
 
 def _rows_of(rows, reference):
@@ -729,6 +729,10 @@ def judge(name, data, *, columns=None, tolerance=None, level=None, until=None, r
     rows: numbers, from 1, of the rows of the data set that were meant, or a text as "1:12,15"; None: all. events: changes of contact
     of the same history. is_foreign: someone else names the file, so that no message shows the names in it.
     A wrong result raises nothing. Throws InputError for what cannot be used.
+
+    >>> judgement = stickslip.judge("stick-frequencies", {"beam": "paper", "mode": [1], "frequency": [24.98]}, rows="1", level="1e-3")
+    >>> judgement.conclusion, judgement.level, judgement.quantities[0].where
+    ('agrees in 1 of 50 rows at level 1e-3', '1e-3', 'beam = paper, mode = 1')
     """
     reference = load(name)
     if not reference.comparison:

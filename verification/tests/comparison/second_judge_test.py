@@ -9,6 +9,7 @@ counts and level. The program gets a copy of the data without `diagnosis`, which
 import array
 import collections
 import contextlib
+import doctest
 import gzip
 import hashlib
 import io
@@ -396,6 +397,8 @@ class Package(unittest.TestCase):
         self.assertEqual((off.verdict, off.level), ("differs", "1e-3"))
         self.assertAlmostEqual(off.quantities[0].error, 25 / 24.971958095 - 1, 9)
         self.assertEqual(stickslip.judge("stick-history", stickslip.load("stick-history"), until=0.2).verdict, "agrees")
+        wide = stickslip.judge("stick-frequencies", {"beam": "paper", "mode": [1], "frequency": [25]}, rows="1:1", tolerance="1e-9 frequency=2e-3")
+        self.assertEqual((wide.verdict, wide.quantities[0].tolerance), ("agrees", 2e-3))
 
     def test_refuses_in_one_sentence(self):
         mine = {"beam": "paper", "mode": [1, 2], "frequency": [25.0, 81.0]}
@@ -440,6 +443,7 @@ class Package(unittest.TestCase):
         self.assertEqual((kept.read_text()[0], link.is_symlink(), kept.stat().st_mode & 0o777), ("{", True, 0o600))
         for options in ([f"--json={part}"], [f"--json={bad}", f"--junit={bad}"], ["--rows=1", "--rows=2"], ["--row=1"]):
             self.assertEqual(judged("participation", str(part), *options)[0], 2, options)
+        self.assertEqual(json.loads(judged("participation", str(part), "--json", "-")[1])["verdict"], "differs")
         with unittest.mock.patch("stickslip.__main__.judge", side_effect=KeyError("x")):
             self.assertRegex(str(judged("participation", str(part))), "1, .*mistake in stickslip itself")
 
@@ -454,7 +458,7 @@ class Package(unittest.TestCase):
 
     def test_refuses_arguments_of_another_type(self):
         mine = {"beam": "paper", "mode": [1], "frequency": [24.971958095]}
-        for options in ({"rows": [1.5]}, {"rows": ["1"]}, {"rows": 1}, {"rows": "1:"}, {"tolerance": True}, {"tolerance": "1e-3"}, {"tolerance": 10**400},
+        for options in ({"rows": [1.5]}, {"rows": ["1"]}, {"rows": 1}, {"rows": "1:"}, {"tolerance": True}, {"tolerance": "frequency=x"}, {"tolerance": "mode=1e-3"}, {"tolerance": 10**400}, {"level": "0.01"}, {"level": 0.02}, {"level": [1]},
                         {"tolerance": math.nan}, {"until": "1"}, {"until": 0}, {"columns": 5}, {"columns": {"frequency": 1}}, {"columns": {"f": "g"}}):
             self.refusal("stick-frequencies", mine, **options)
         for change in (24.97 + 1j, [24.97 + 0j], [True], {24.97}, (x for x in [24.97]), [None], [10**400], [float("inf")], []):
@@ -531,11 +535,60 @@ class Package(unittest.TestCase):
         self.assertIn("differs, level", done.stdout)
 
     def test_is_installed_with_the_data(self):
-        subprocess.run([sys.executable, "-c", "import setuptools; setuptools.setup()", "-q", "build", "--build-base", self.folder],
-                       cwd=ROOT / "reports/python", check=True, capture_output=True)
-        done = subprocess.run([sys.executable, "-I", "-c", f"import sys; sys.path.insert(0, '{self.folder}/lib'); import stickslip; "
-                               "print(stickslip.load('stick-history').rows)"], capture_output=True, text=True)
-        self.assertEqual(done.stdout, "1000\n", done.stderr)
+        """A copy of the folder alone, by Debian's pip and in a bare environment, both without network and as the program tells its version."""
+        shutil.copytree(ROOT / "reports/python", self.folder / "copy")  # what links lead to
+        (self.folder / "copy/stickslip/left-over.txt").write_text("no part of the package")
+        pip = "-m", "pip", "--isolated", "--disable-pip-version-check", "install", "--quiet", "--no-index"
+        environment = {**os.environ, "PYTHONPATH": "", "HOME": str(self.folder)}
+        subprocess.run([sys.executable, "-m", "venv", self.folder / "bare"], check=True, env=environment)
+        bare = self.folder / "bare/bin/python"
+        for python, *options in ((sys.executable, "--no-build-isolation", "--break-system-packages", f"--target={self.folder}/target"), (bare,)):
+            subprocess.run([python, *pip, *options, self.folder / "copy"], check=True, capture_output=True, env=environment)
+        subprocess.run([bare, *pip, "--force-reinstall", self.built_sdist()], check=True, capture_output=True, env=environment)
+        version = subprocess.run([PROGRAM, "--version"], capture_output=True, text=True, check=True).stdout.split()[1]
+        script = ("import importlib.metadata as m, stickslip; print(stickslip.load('stick-history').rows, stickslip.__version__, m.version('stickslip'), "
+                  "[p.value for p in m.distribution('stickslip').entry_points])")
+        for python, path in ((sys.executable, self.folder / "target"), (bare, self.folder)):
+            done = subprocess.run([python, "-I", "-c", f"import sys; sys.path.insert(0, '{path}'); {script}"], capture_output=True, text=True)
+            self.assertEqual(done.stdout, f"1000 {version} {version} ['stickslip.pytest_plugin']\n", done.stderr)
+        self.assertFalse((self.folder / "target/stickslip/left-over.txt").exists())
+
+    def built_sdist(self):
+        script = "import build_backend, sys; print(build_backend.build_sdist(sys.argv[1]))"
+        done = subprocess.run([sys.executable, "-c", script, self.folder], cwd=self.folder / "copy", capture_output=True, text=True, check=True)
+        return self.folder / done.stdout.strip()
+
+    def test_has_examples_that_run(self):
+        os.environ["STICKSLIP_PROGRAM"] = str(PROGRAM)
+        for name in stickslip.__all__:
+            if not isinstance(getattr(stickslip, name), type):
+                with self.subTest(name=name):
+                    (test,) = doctest.DocTestFinder(exclude_empty=False).find(getattr(stickslip, name), name, globs={"stickslip": stickslip})
+                    said = io.StringIO()
+                    tried = doctest.DocTestRunner().run(test, out=said.write)
+                    self.assertTrue(tried.attempted and not tried.failed, said.getvalue())
+        self.assertTrue(stickslip.respond.__doc__.startswith("A motion in time") and stickslip.respond.__name__ == "respond")
+        said = {one.name: subprocess.run([sys.executable, one], capture_output=True, text=True, check=True, env={
+            **os.environ, "PYTHONPATH": str(ROOT / "reports/python")}).stdout for one in (ROOT / "reports/python/examples").glob("*.py")}
+        self.assertIn("agrees in 10 of 50 rows at level 1e-2, reached 1e-2", said["judge_my_code.py"])
+        self.assertRegex(said["vary_a_case.py"], r"0.2 m: stick, margin \d+.\d\n0.3 m: stick, .*\n0.4 m: stick")
+        self.assertRegex(said["motion_in_time.py"], "2001 rows, [0-9]+ % of them in stick\nlargest displacement .* mm, [0-9]+ changes")
+
+    def test_takes_cases_as_dicts(self):
+        os.environ["STICKSLIP_PROGRAM"] = str(PROGRAM)
+        mass = {"model": {"mass": "2 kg", "stiffness": array.array("d", [8.0])[0], "normal_force": 10}, "friction": {"static_coefficient": 0.3, "kinetic_coefficient": 0.2,
+                "decay": math.inf}, "excitation": {"frequency_hz": 1, "amplitude": "1 mm", "duration": 1}, "wall": {"with_base": False}}
+        one, two = stickslip.criterion([mass, {**mass, "friction": {"static_coefficient": 0.6}}])
+        self.assertEqual((one["problem"]["model"]["mass"], 2 * one["friction_limit_N"], two["friction_limit_N"]), (2, 6, 6))
+        self.assertIsNone(one["problem"]["friction"]["decay"])
+        with contextlib.chdir(self.folder):
+            pathlib.Path("a").mkdir()
+            pathlib.Path("a/r.csv").write_text("t,w\n" + "".join(f"{i / 100},{math.sin(i / 5)}\n" for i in range(100)))
+            moved = {**mass, "excitation": {"file": "a/r.csv", "column": "w", "quantity": "displacement", "unit": "mm"}}
+            self.assertEqual(stickslip.criterion(moved, excitation__scale=2)["problem"]["excitation"]["scale"], 2)
+        for case, sentence in (({**mass, "wal": {}}, "^stickslip: case.toml:.*unknown table"), ({"model": {"mass": {1}}}, "cannot be written")):
+            with self.assertRaisesRegex(stickslip.ProgramError, sentence):
+                stickslip.criterion(case)
 
 
 class Data(unittest.TestCase):
