@@ -24,6 +24,7 @@ stats file using (empty(strcol(quantity ? 3 : state_column)) ? 1 : 0) name 'buck
 limit = 'NaN'
 cells = 'NaN'
 if (buckled_min == 0) {
+  if (quantity) { stats file using (ratio(strcol(3))) name 'shown' nooutput }
   if (!quantity) {
     set contour base
     unset surface
@@ -67,6 +68,7 @@ set yrange [axis_min_y:axis_max_y]
 if (quantity) {
   set palette defined (0 '#440154', 1 '#3B528B', 2 '#21918C', 3 '#5EC962', 4 '#FDE725')
   set cbrange [*:*]
+  if (cells ne 'NaN') { if (shown_min == shown_max) { set cbrange [shown_min - 1:shown_max + 1] } }
   set cblabel quantity_label offset -0.5
 } else {
   eval ratio_palette

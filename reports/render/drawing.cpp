@@ -57,8 +57,11 @@ std::string figure_format(const std::string& figure) {
 
 CsvTable values_table(const std::vector<FigureData::Value>& values) {
   CsvTable table("Single values of the figure", "name [-], value [see last column], unit [-]");
-  for (const auto& [name, value, unit, text] : values)
+  for (const auto& [name, value, unit, text] : values) {
+    if (text.find_first_of(",\"") != std::string::npos)  // where gnuplot would end it, quoted or not
+      throw std::logic_error(fmt::format("the text {} has a comma or a quotation mark: {}", name, text));
     table.add_row({name, text.empty() ? csv_number(value) : text, unit});
+  }
   return table;
 }
 

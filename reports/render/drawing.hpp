@@ -41,6 +41,7 @@ struct Look {
 [[nodiscard]] std::string figure_format(const std::string& figure);
 
 /// The values of a figure as a table with the columns name, value and unit.
+/// Throws std::logic_error for a text with a comma or a quotation mark, which gnuplot does not read.
 [[nodiscard]] CsvTable values_table(const std::vector<FigureData::Value>& values);
 
 /// Runs figures/<script>.gp once, which makes these drawings in the scratch folder, and returns their paths.

@@ -60,7 +60,7 @@ inline constexpr std::array motion_quantities{
     MotionQuantity{"slip-rate", "slips_per_s", "1/s", "slips / (1/s)", &MotionValues::slip_rate},
     MotionQuantity{"slips-per-travel", "slips_per_m", "1/m", "slips over travel / (1/m)",
                    &MotionValues::slips_per_travel},
-    MotionQuantity{"peak-to-peak", "peak_to_peak_m", "m", "tip on wall, peak to peak / m",
+    MotionQuantity{"peak-to-peak", "peak_to_peak_m", "m", "peak to peak of tip on wall / m",
                    &MotionValues::peak_to_peak},
     MotionQuantity{"distance-95", "distance_95_m", "m", "95 % of |distance from mean| / m",
                    &MotionValues::distance_95},

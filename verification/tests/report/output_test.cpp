@@ -97,6 +97,12 @@ TEST(DrawnTitles, AreThoseThatAreAskedFor) {
   ::setenv("HOME", old.c_str(), 1);
 }
 
+// gnuplot ends a text of a CSV file there, quoted or not.
+TEST(DrawnTitles, HaveNoCommaInATable) {
+  for (const std::string text : {"base, wall", "a \"base\""})
+    EXPECT_THROW((void)report::values_table({{"label", 0.0, "-", text}}), std::logic_error) << text;
+}
+
 STICKSLIP_VERIFIES(DrawnFigures, "U3");
 TEST_F(DrawnFigures, AppearInAllFormatsOrInNone) {
   for (const char* name : {"fig1.png", "fig1.pdf"}) data::write_text(output_ / name, "old");
