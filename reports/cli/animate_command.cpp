@@ -24,11 +24,12 @@ struct AnimateOptions {
   std::string output = "frames";
 };
 
-// The only film format is GIF.
+// Films are GIF or, by ffmpeg, MP4.
 std::string no_other_film(const std::string& name) {
-  if (!name.ends_with(".mp4") && !name.ends_with(".webm") && !name.ends_with(".avi")) return "";
+  if (!name.ends_with(".webm") && !name.ends_with(".avi")) return "";
   return fmt::format(
-      "is {}, but must be a folder or a .gif file; ffmpeg makes other films of the frames in a folder",
+      "is {}, but must be a folder, a .gif or a .mp4 file; ffmpeg makes other films of the frames in a "
+      "folder",
       data::printable(name));
 }
 
@@ -105,7 +106,8 @@ void add_options(CLI::App& command, AnimateOptions& options) {
                      "Number of frames, evenly over the duration");
   command
       .add_option("--output", options.output,
-                  "Folder for frame-0001.png ... and motion.csv, or a film, a .gif file")
+                  "Folder for frame-0001.png ... and motion.csv, or a film, a .gif file or, where ffmpeg is "
+                  "installed, a .mp4 file")
       ->check(file_name())
       ->check(CLI::Validator(no_other_film, ""))
       ->capture_default_str();

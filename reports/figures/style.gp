@@ -3,7 +3,7 @@
 #
 # A figure sets width and height (cm) and loads this file. From the command line come
 #   folder  where its CSV files are, with a slash at the end
-#   format  'pdf', 'png' or 'svg'
+#   format  'pdf', 'png' or 'svg'; of animation.gp 'gif', a film
 #   output  the file to write
 #   heading, chosen_width, chosen_height  a title, and a size (cm) instead of the figure's own, if there are any
 # as in
@@ -31,6 +31,10 @@ if (format eq 'png') {
   font_magnification = dots_per_cm * 2.54 / 96.0  # this terminal takes fonts at 96 dots per inch
   set terminal pngcairo enhanced color font typeface fontscale font_magnification \
       linewidth magnification pointscale magnification size width * dots_per_cm, height * dots_per_cm
+}
+if (format eq 'gif') {  # 25 frames a second, again and again
+  set terminal gif animate delay 4 loop 0 optimize enhanced font typeface fontscale 2.2 linewidth 2.2 \
+      size width * 80, height * 80
 }
 set output output
 set encoding utf8

@@ -187,8 +187,7 @@ TEST_F(Interrupted, DrawingLeavesWhatIsWritten) {
             "interrupted after 33 % of the report; what is finished is in " + path("out"),
             {"fig2-values.csv", "fig2.csv", "studies/friction_curve.json"}},
            {"animate --duration 0.1 --frames 5 --output out",
-            "interrupted after 0 % of the frames, none of which is kept; the motion is in " +
-                path("out/motion.csv"),
+            "interrupted; no frame is kept; the motion is in " + path("out/motion.csv"),
             {"motion.csv"}},
            {"compare stick-frequencies mine.csv --figure out/verdict.png --json out/verdict.json",
             written + "standard output and out/verdict.json",

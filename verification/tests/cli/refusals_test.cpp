@@ -250,7 +250,7 @@ constexpr std::pair<const char*, const char*> rows_of_options[] = {
     {"modes --count 9 --figure a.png", "--count is 9, but must be at most 8 with --figure"},
     {"modes --state slipp", "--state is slipp (did you mean slip?), but must be one of stick, slip"},
     {"modes paper damped", "the argument damped is one more than modes takes"},
-    {"animate --output film.mp4", "--output is film.mp4, but must be a folder or a .gif file"},
+    {"animate --output film.avi", "--output is film.avi, but must be a folder, a .gif or a .mp4 file"},
     {"animate --set beam.axial_force=-5", "beam.axial_force is -5, but must be "},
     {"animate --method closed-form", "--method is closed-form, but must be "},
     {"uncertainty uncertain --band 1e-30:30", "--band: excitation.frequency_hz is 1e-30, but must be "},

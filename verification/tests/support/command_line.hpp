@@ -152,7 +152,7 @@ inline std::map<std::string, std::vector<std::string>> columns_of(const std::str
   return columns;
 }
 
-/// Commands that draw, with a gnuplot that the test provides, or with none. No gnuplot need be installed.
+/// Commands that draw, with the gnuplot that the test provides, or the one that is installed.
 class Drawing : public CommandLine {
  protected:
   void SetUp() override {
@@ -165,14 +165,11 @@ class Drawing : public CommandLine {
     CommandLine::TearDown();
   }
 
-  /// Draws the frames of an animation.
+  /// Draws the frames of an animation: a frame is its table, a film all of them.
   static constexpr const char* draw_all =
-      "value() { sed -n \"s/^$1,\\([^,]*\\),.*/\\1/p\" \"${folder}animation-values.csv\"; }\n"
-      "first_frame=$(value first_frame)\n"
-      "last_frame=$(value last_frame)\n"
-      "while [ $first_frame -le $last_frame ]; do\n"
-      "  cat \"${folder}frames.csv\" > $(printf frame-%04d.png $first_frame)\n"
-      "  first_frame=$((first_frame + 1))\n"
+      "for table in \"${folder}\"frame-*.csv; do\n"
+      "  name=${table##*/}\n"
+      "  if [ $format = gif ]; then cat $table >> $output; else cp $table ${name%.csv}; fi\n"
       "done\n";
 
   /// A shell script that is called as gnuplot is: -d -e 'name=value; ...' script.
