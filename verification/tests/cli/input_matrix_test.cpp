@@ -159,9 +159,9 @@ constexpr Exception exceptions[] = {
      "@(unknown|negative|denormal|huge|infinity|not UTF-8|not a number|wrong type|zero)",
      "a file may have that name"},
     {"option", "compare --json", "@(missing|duplicate)", ""},
-    {"option", "@(* --json|* --quiet|* --states-only|* --dry-run|* --version)", "missing",
+    {"option", "@(* --json|* --schema|* --quiet|* --states-only|* --dry-run|* --version)", "missing",
      "a flag has no value"},
-    {"option", "@(* --json|* --quiet|* --states-only|* --dry-run|* --version)", "duplicate",
+    {"option", "@(* --json|* --schema|* --quiet|* --states-only|* --dry-run|* --version)", "duplicate",
      "said twice it means the same"},
 };
 
