@@ -41,8 +41,11 @@ std::vector<data::ContactEvent> events_of(const analytic::EventDriven& run,
 // u_t = σ w_t + sum U_n T_n_t: zero rates are the quasi-static start, and -a_n w_t a beam that moves with the base.
 analytic::ContactKinematics start_of(const analytic::ContactModel& model, bool starts_with_the_base) {
   analytic::ContactKinematics start = analytic::held_start(model);
-  for (std::size_t n = 0; starts_with_the_base && n < model.modes(); ++n)
+  if (!starts_with_the_base) return start;
+  for (std::size_t n = 0; n < model.modes(); ++n) {
+    start.amplitudes[n] = 0.0;
     start.rates[n] = -model.mass_coupling[n] * start.velocity;
+  }
   return start;
 }
 
