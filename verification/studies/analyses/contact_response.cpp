@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -14,6 +13,7 @@
 
 #include "stickslip/analytic/contact_model.hpp"
 #include "stickslip/data/input_error.hpp"
+#include "studies/analyses/slip_readouts.hpp"
 
 namespace stickslip::studies {
 
@@ -90,20 +90,6 @@ Sums period_of_motion(analytic::ModalContactRun& run, int steps, int row_step, d
   return sums;
 }
 
-// The 95th and the 99th percentile of the distance from the mean, to a row.
-std::pair<double, double> distances_of(std::vector<double> places) {
-  const auto count = static_cast<double>(places.size());
-  const double mean = std::accumulate(places.begin(), places.end(), 0.0) / count;
-  for (double& place : places) place = std::abs(place - mean);
-  const auto at = [&](double share) {
-    const auto found = places.begin() + static_cast<std::ptrdiff_t>(share * (count - 1.0));
-    std::ranges::nth_element(places, found);
-    return *found;
-  };
-  const double of_95 = at(0.95);
-  return {of_95, at(0.99)};
-}
-
 // What sums are over.
 struct Extent {
   double periods{}, steps{}, time_step{};
@@ -112,7 +98,7 @@ struct Extent {
 MotionValues values_of(Sums sums, std::span<const Sample> samples, const Extent& extent) {
   const auto [periods, steps, time_step] = extent;
   const double duration = steps * time_step;
-  const auto [distance_95, distance_99] = distances_of(std::move(sums.places));
+  const auto [distance_95, distance_99] = distance_percentiles(std::move(sums.places));
   return {.slip_share = static_cast<double>(sums.slip_steps) / steps,
           .peak_speed = sums.peak_speed,
           .rms_speed = std::sqrt(sums.squares / steps),

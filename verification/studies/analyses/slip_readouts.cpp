@@ -11,6 +11,7 @@
 #include <functional>
 #include <numbers>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 #include "stickslip/analytic/stick_reaction.hpp"
@@ -112,15 +113,22 @@ void add_slips(const std::vector<double>& onsets, SlipReadouts& readouts) {
     readouts.sound = readouts.spacing_variation < 0.2 && readouts.slip_rate.value > 20.0 ? "squeal" : "tick";
 }
 
-void add_distances(std::vector<double> distances, SlipReadouts& readouts) {
-  const double mean = gsl_stats_mean(distances.data(), 1, distances.size());
-  for (double& distance : distances) distance = std::abs(distance - mean);
-  std::ranges::sort(distances);
-  readouts.distance_95 = gsl_stats_quantile_from_sorted_data(distances.data(), 1, distances.size(), 0.95);
-  readouts.distance_99 = gsl_stats_quantile_from_sorted_data(distances.data(), 1, distances.size(), 0.99);
-}
-
 }  // namespace
+
+// As gsl_stats_quantile_from_sorted_data() of all, without sorting them.
+std::pair<double, double> distance_percentiles(std::vector<double> values) {
+  const double mean = gsl_stats_mean(values.data(), 1, values.size());
+  for (double& value : values) value = std::abs(value - mean);
+  const auto at = [&](double share) {
+    const double index = share * static_cast<double>(values.size() - 1), below = std::floor(index);
+    const auto found = values.begin() + static_cast<std::ptrdiff_t>(below);
+    std::ranges::nth_element(values, found);
+    if (found + 1 == values.end()) return *found;
+    return (1.0 - (index - below)) * *found + (index - below) * *std::min_element(found + 1, values.end());
+  };
+  const double of_95 = at(0.95);
+  return {of_95, at(0.99)};
+}
 
 double a_weighting(double hz) {
   const double f = hz * hz;
@@ -200,7 +208,7 @@ SlipReadouts slip_readouts(const data::Case& problem, const History& history, co
   readouts.slip_rate = mean_of(windows, &ReadoutWindow::slips, 1.0 / length);
   readouts.slip_share = mean_of(windows, &ReadoutWindow::slipping, 1.0 / length);
   readouts.friction_power = mean_of(windows, &ReadoutWindow::work, 1.0 / length);
-  add_distances(std::move(distances), readouts);
+  std::tie(readouts.distance_95, readouts.distance_99) = distance_percentiles(std::move(distances));
   add_slips(onsets, readouts);
   add_spectrum(forces_of(history, options.transient), readouts);
   return readouts;

@@ -9,6 +9,7 @@
 #include <limits>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "studies/analyses/sampling.hpp"
@@ -76,6 +77,9 @@ struct SlipReadouts {
 /// natural frequency with the tip held, of one mass with the tip free, in a window and, for the ear, 11025 in a second as long as these are a million. Throws
 /// data::FieldError for a transient or a time step that does not leave these, and for more than four million rows.
 [[nodiscard]] long readout_row_step(const data::Case& problem, const ReadoutOptions& options);
+
+/// The 95th and the 99th percentile of |z - mean z|, by a line between two of the values; at least one.
+[[nodiscard]] std::pair<double, double> distance_percentiles(std::vector<double> values);
 
 /// The read-outs of a history with rows of readout_row_step(). Precondition: at least two rows in a window.
 [[nodiscard]] SlipReadouts slip_readouts(const data::Case& problem, const History& history,
