@@ -98,8 +98,10 @@ void require_consistent(const ContactModel& model) {
 ContactDynamics::ContactDynamics(const ContactModel& model) : model_(model) {
   require_consistent(model_);
   free_mass_ = model_.free_mass();
-  if (model_.drive) cursor_.emplace(*model_.drive);
-  enter(0.0);
+  if (model_.drive) {
+    cursor_.emplace(*model_.drive);
+    take_piece();
+  }
   if (model_.damping.empty()) return;
   const std::size_t rows = modes() + 1;
   column_length_ = (rows + kTogether - 1) / kTogether * kTogether;
@@ -115,15 +117,18 @@ double ContactDynamics::fastest() const {
 }
 
 void ContactDynamics::enter(double t) const {
-  if (!cursor_ || (t >= entered_.first && t < entered_.second)) return;
-  const DrivePiece& piece = cursor_->enter(t);
-  base_[0] = piece.base;
-  wall_[0] = piece.wall;
+  if (!cursor_ || (t >= piece().begin && t < piece().end)) return;
+  cursor_->enter(t);
+  take_piece();
+}
+
+void ContactDynamics::take_piece() const {
+  base_[0] = piece().base;
+  wall_[0] = piece().wall;
   for (std::size_t k = 1; k < base_.size(); ++k) {
     base_[k] = derivative(base_[k - 1]);
     wall_[k] = derivative(wall_[k - 1]);
   }
-  entered_ = {piece.begin, piece.end};
 }
 
 double ContactDynamics::piece_end() const {

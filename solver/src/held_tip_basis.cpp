@@ -22,12 +22,17 @@ long double quadratic_form(const SparseMatrix& matrix, const Eigen::VectorXd& x)
 // [Φ σ]ᵀ C [Φ σ].
 SparseMatrix in_basis(const SparseMatrix& damping, const HeldTipBasis& basis) {
   if (damping.norm() == 0.0) return {damping.rows(), damping.cols()};
-  Eigen::MatrixXd columns(damping.rows(), damping.cols());
-  columns << basis.modes, basis.static_shape;
+  const Eigen::MatrixXd columns = basis.matrix();
   return Eigen::MatrixXd(columns.transpose() * (damping * columns)).sparseView();
 }
 
 }  // namespace
+
+Eigen::MatrixXd HeldTipBasis::matrix() const {
+  Eigen::MatrixXd columns(modes.rows(), modes.cols() + 1);
+  columns << modes, static_shape;
+  return columns;
+}
 
 HeldTipBasis held_tip_basis(const BeamModel& model) {
   HeldTipBasis basis;

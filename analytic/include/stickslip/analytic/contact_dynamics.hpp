@@ -6,7 +6,6 @@
 #include <array>
 #include <optional>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "stickslip/analytic/contact_model.hpp"
@@ -126,11 +125,11 @@ class ContactDynamics {
   double push(const KinematicsView& state, const LoadFactors& load, double f, std::span<double> modal) const;
 
   [[nodiscard]] double along_wall(int rate, double t) const;
+  void take_piece() const;
 
   ContactModel model_;
   mutable std::optional<DriveCursor> cursor_;
   mutable std::array<Polynomial, 4> base_{}, wall_{};  // of the piece, with their derivatives
-  mutable std::pair<double, double> entered_{};        // its begin and end
   double free_mass_;  // m_c - a . a: what f_d accelerates when the modes may follow
   static constexpr std::size_t kTogether = 4;
   std::vector<double> damping_columns_;  // C by column, each filled up with zeros to a multiple of kTogether

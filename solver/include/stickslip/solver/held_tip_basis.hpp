@@ -25,6 +25,8 @@ struct HeldTipBasis {
   Eigen::MatrixXd modes;                ///< Φ, by columns
   Eigen::VectorXd static_shape;         ///< σ
   Eigen::VectorXd squared_frequencies;  ///< ω_n², rad²/s², ascending
+
+  [[nodiscard]] Eigen::MatrixXd matrix() const;  ///< [Φ σ]
 };
 
 /// The ω_n² are Rayleigh quotients in extended precision: as accurate as double precision can hold for
