@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "stickslip/analytic/contact_model.hpp"
-#include "stickslip/analytic/random_reaction.hpp"
 
 namespace stickslip::analytic {
 namespace {
@@ -57,7 +56,7 @@ Drive::Drive(const data::Case& problem)
       wall_(problem.contact.wall_motion),
       wall_share_(analytic::wall_share(problem)),
       wall_speed_(problem.contact.wall.speed()),
-      is_random_(random_drive(problem).moves()) {}
+      is_random_(problem.is_random()) {}
 
 Drive::Largest Drive::largest() const {
   Largest result;

@@ -97,23 +97,21 @@ std::vector<double> corners(const ContactModel& model, const RandomDrive& drive)
 }
 
 RandomDrive require_random(const data::Case& problem) {
-  const RandomDrive drive = random_drive(problem);
-  if (!drive.moves())
+  if (!problem.is_random())
     throw data::FieldError("excitation.spectrum", "missing", "given: this is for random motions alone");
   if (!problem.is_damped())
     throw data::FieldError("damping.ratio", 0.0,
                            "above 0: without damping a random motion makes it vibrate more and more");
-  return drive;
+  return random_drive(problem);
 }
 
 }  // namespace
 
 RandomDrive random_drive(const data::Case& problem) {
+  if (!problem.is_random()) return {};
   const auto* base = problem.general_motion();
   const auto* wall = problem.contact.wall_motion ? &*problem.contact.wall_motion : nullptr;
   RandomDrive drive{.base = spectrum_of(base), .wall = spectrum_of(wall)};
-  const bool base_rests = base == nullptr && problem.excitation().amplitude() == 0.0;
-  if ((drive.base == nullptr && !base_rests) || (drive.wall == nullptr && wall != nullptr)) return {};
   if (drive.base != nullptr) drive.base_scale = base->scale();
   if (drive.wall != nullptr) drive.wall_scale = wall->scale();
   return drive;

@@ -35,7 +35,7 @@ ModalReaction undamped_reaction(const data::Case& problem);
 // Of a general motion, with what modes left out can change if it is asked for and known.
 Bounds of_motion(const data::Case& problem, int modes, bool with_omitted) {
   const data::Case unit = of_unit_load(problem);
-  if (random_drive(unit).moves()) {
+  if (unit.is_random()) {
     const double even = random_reaction(unit, modes).exceeded_with(0.5, unit.numerics.duration());
     return {even, even};
   }

@@ -358,6 +358,17 @@ bool Case::is_damped() const noexcept {
          (model() != nullptr && std::ranges::any_of(model()->matrices().damping, loses));
 }
 
+bool Case::is_random() const noexcept {
+  const auto has_spectrum = [](const GeneralMotion& of) {
+    return std::holds_alternative<PowerSpectrum>(of.statement());
+  };
+  const auto* base = general_motion();
+  const auto& wall = contact.wall_motion;
+  const bool base_rests = base == nullptr && excitation().amplitude() == 0.0;
+  return (base != nullptr || wall) && (base_rests || (base != nullptr && has_spectrum(*base))) &&
+         (!wall || has_spectrum(*wall));
+}
+
 double Case::normal_force() const noexcept {
   const auto* beam = std::get_if<Beam>(&structure);
   return beam != nullptr ? beam->axial_force() : std::get<Model>(structure).normal_force();

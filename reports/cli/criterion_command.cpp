@@ -367,7 +367,7 @@ Answer criterion(const CriterionOptions& options, Outputs& outputs) {
     return table_of_cases(options, outputs);
   const data::Case problem = case_of(options.problem);
   outputs.set_case(problem);
-  if (analytic::random_drive(problem).moves()) return criterion_of_random_motion(problem, options, outputs);
+  if (problem.is_random()) return criterion_of_random_motion(problem, options, outputs);
   if (options.samples > 0)
     throw data::FieldError("--samples", std::to_string(options.samples), "left out without a spectrum");
   if (problem.has(data::Feature::general_motion)) return criterion_of_motion(problem, options, outputs);

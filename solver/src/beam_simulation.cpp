@@ -8,7 +8,6 @@
 #include <string>
 #include <tuple>
 #include <utility>
-#include <variant>
 
 #include "stickslip/solver/base_motion.hpp"
 #include "stickslip/solver/decompositions.hpp"
@@ -102,6 +101,11 @@ Coordinates coordinates_of(const data::Case& problem, const RunOptions& options)
   return Coordinates::modal;
 }
 
+// Whether a ModalStickRun, which takes no damping, has the stick state of a run.
+bool has_modal_stick_run(const data::Case& problem, const RunOptions& options) {
+  return problem.damping.is_none() && coordinates_of(problem, options) == Coordinates::modal;
+}
+
 IntegratorSettings integrator_settings(const data::NumericalSettings& numerics, ContactScheme scheme,
                                        Coordinates coordinates) {
   if (scheme == ContactScheme::paper && numerics.velocity_threshold() == 0.0)
@@ -124,18 +128,6 @@ void require_resolved_spring(const data::TangentialContact& contact, double limi
       "contact.tangential_stiffness", contact.tangential_stiffness(),
       "at most " + data::shortest_text(stiffest) +
           " N/m by finite elements, whose rounding would move the force; inf for a rigid contact");
-}
-
-// Whether spectra alone move base and wall, at least one of them.
-bool is_random(const data::Case& problem) {
-  const auto has_spectrum = [](const data::GeneralMotion& motion) {
-    return std::holds_alternative<data::PowerSpectrum>(motion.statement());
-  };
-  const auto* base = problem.general_motion();
-  const auto& wall = problem.contact.wall_motion;
-  const bool base_rests = base == nullptr && problem.excitation().amplitude() == 0.0;
-  return (base != nullptr || wall) && (base_rests || (base != nullptr && has_spectrum(*base))) &&
-         (!wall || has_spectrum(*wall));
 }
 
 // Displacement and velocity of a system that has always been held, under a motion with that period: runs of a period follow each other until
@@ -191,15 +183,14 @@ BeamSimulation::BeamSimulation(const data::Case& problem, const RunOptions& opti
   if (coordinates == Coordinates::modal) {
     const HeldTipBasis basis = held_tip_basis(*model_);
     system = modal_contact_system(*model_, basis, std::move(system), problem.damping.mass_proportional());
-    basis_.resize(model_->degrees_of_freedom(), model_->degrees_of_freedom());
-    basis_ << basis.modes, basis.static_shape;
+    basis_ = basis.matrix();
     velocity = modal_coordinates(*model_, basis, velocity);
   }
   require_resolved_spring(problem.contact.compliance,
                           problem.contact.friction.static_coefficient() * system.normal_force,
                           largest_displacement(problem.motion));
   Eigen::VectorXd displacement = Eigen::VectorXd::Zero(velocity.size());
-  if (!options.starts_with_the_base && problem.is_damped() && is_random(problem)) {
+  if (!options.starts_with_the_base && problem.is_damped() && problem.is_random()) {
     const Eigen::VectorXd shape = coordinates == Coordinates::modal
                                       ? Eigen::VectorXd::Unit(velocity.size(), system.contact)
                                       : static_shape;
@@ -260,8 +251,7 @@ long step_count(double duration, double time_step) { return std::lround(duration
 double max_abs_friction_force(const data::Case& problem, std::optional<Coordinates> coordinates) {
   const RunOptions options{.is_bonded = true, .coordinates = coordinates};
   const long steps = step_count(problem.numerics.duration(), problem.numerics.time_step());
-  if (problem.damping.is_none() && coordinates_of(problem, options) == Coordinates::modal)
-    return ModalStickRun(problem).max_abs_friction_force(steps);
+  if (has_modal_stick_run(problem, options)) return ModalStickRun(problem).max_abs_friction_force(steps);
   BeamSimulation simulation(with(problem, data::FrictionLaw({}), data::TangentialContact(), data::Wall()),
                             options);
   double largest = std::abs(simulation.friction_force());
@@ -277,7 +267,7 @@ std::optional<double> first_slip(const data::Case& problem, std::optional<Coordi
   // The linear run, tens of times as fast, has the forces of these steps to rounding, far less than this margin.
   constexpr double margin = 1e-6;
   if (problem.contact.compliance.is_rigid() && problem.contact.wall.speed() == 0.0 &&
-      problem.damping.is_none() && coordinates_of(problem, options) == Coordinates::modal &&
+      has_modal_stick_run(problem, options) &&
       max_abs_friction_force(problem, Coordinates::modal) <
           (1.0 - margin) * problem.contact.friction.static_coefficient() * problem.normal_force())
     return std::nullopt;

@@ -9,7 +9,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "stickslip/analytic/random_reaction.hpp"
 #include "stickslip/analytic/stick_reaction.hpp"
 #include "stickslip/data/input_error.hpp"
 #include "studies/common/problem_parameter.hpp"
@@ -55,8 +54,8 @@ const std::string elements_only = "fe where --scheme is given";
 // All of them feasible: a run in time steps says how far it is.
 void require_nothing(const data::Case&) {}
 
-void require_steps(const data::Case& problem) {
-  if (problem.is_damped() && analytic::random_drive(problem).moves())
+void require_start_and_steps(const data::Case& problem) {
+  if (problem.is_damped() && problem.is_random())
     throw data::FieldError("damping.kelvin_voigt", problem.damping.kelvin_voigt(),
                            "0 with the boundary integral under a spectrum: the response of a damped beam "
                            "begins stationary, which event-driven "
@@ -81,7 +80,7 @@ const std::vector<Method>& methods() {
         {Feature::start_at_rest, quasi_static},
         {Feature::contact_scheme, elements_only},
         {Feature::further_columns, with_reactions}},
-       require_steps,
+       require_start_and_steps,
        boundary_integral_history,
        true,
        {Feature::other_damping, Feature::wall_with_base}},

@@ -18,10 +18,8 @@ struct RandomDrive {
   const data::PowerSpectrum* base{};
   const data::PowerSpectrum* wall{};
   double base_scale{1.0}, wall_scale{1.0};
-
-  [[nodiscard]] bool moves() const noexcept { return base != nullptr || wall != nullptr; }
 };
-/// Of a case whose base and wall have spectra or rest; moves() is false for any other.
+/// Nothing for a case that is not Case::is_random().
 [[nodiscard]] RandomDrive random_drive(const data::Case& problem);
 
 /// f_d of a held structure whose base or wall has the acceleration exp(iωt), from the equations of contact_model.hpp with u_c = w.

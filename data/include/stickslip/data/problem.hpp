@@ -399,6 +399,8 @@ struct Case {
   }
   /// Whether the structure loses energy without friction: by [damping], or by what a Model has of its own.
   [[nodiscard]] bool is_damped() const noexcept;
+  /// Whether spectra alone move base and wall, at least one of them.
+  [[nodiscard]] bool is_random() const noexcept;
   /// N, newton: the axial force of a beam, or that of a Model.
   [[nodiscard]] double normal_force() const noexcept;
   /// Whether one of feature_keys() asks for it; a feature of a run is none of a case.
