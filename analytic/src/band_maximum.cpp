@@ -5,8 +5,10 @@
 #include <array>
 #include <cmath>
 #include <complex>
+#include <functional>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include "arguments.hpp"
 
@@ -56,36 +58,43 @@ double BandMaximum::weight(double omega) const { return std::pow(marks_.front() 
 
 // A frequency, and what is known of the largest w |f| there.
 struct BandMaximum::Decided {
-  double omega{}, weight{};           // rad/s
-  std::optional<ForceMaximum> force;  // nothing where `known` is all there is to know
+  double omega{}, weight{};  // rad/s
+  // Of |f|: refined_to() of a ForceMaximum or DampedForce; nothing where `known` is all there is to know.
+  std::function<Bounds(double relative_width, double enough, double too_much)> search;
   Bounds known{0.0, std::numeric_limits<double>::infinity()};
   /// Bounds that are found on the way to the answer are kept, up to an upper one of `enough`.
   [[nodiscard]] bool exceeds(double limit, double enough);
 };
 
-BandMaximum::Decided BandMaximum::force_at(double omega, double damped_width) const {
-  const double w = weight(omega);
+BandMaximum::Decided BandMaximum::force_at(double omega) const {
+  Decided at{.omega = omega, .weight = weight(omega), .search = {}};
+  const auto search_in = [&](auto force) {
+    at.known.upper = at.weight * force.upper_bound();
+    at.search = [force = std::move(force)](double width, double enough, double too_much) {
+      return force.refined_to(width, enough, too_much);
+    };
+  };
   if (!damped_) {
-    Decided undamped{.omega = omega, .weight = w, .force = ForceMaximum(reaction_, omega, duration_)};
-    undamped.known.upper = w * undamped.force->upper_bound();
-    return undamped;
+    search_in(ForceMaximum(reaction_, omega, duration_));
+    return at;
   }
-  const DampedForce force(*damped_, omega, duration_ * marks_.back() / omega);
-  if (part_ == DampedForcePart::start_up)
-    return {.omega = omega, .weight = w, .force = {}, .known = w * force.refined_to(damped_width)};
-  const double steady = w * force.steady_amplitude();
-  return {.omega = omega, .weight = w, .force = {}, .known = {steady, steady}};
+  DampedForce force(*damped_, omega, duration_ * marks_.back() / omega);
+  if (part_ == DampedForcePart::steady)
+    at.known = at.weight * Bounds{force.steady_amplitude(), force.steady_amplitude()};
+  else
+    search_in(std::move(force));
+  return at;
 }
 
 bool BandMaximum::Decided::exceeds(double limit, double enough) {
   for (const double width : kWidthsOfAnAnswer) {
-    if (limit < known.lower || limit >= known.upper || !force) break;
-    const Bounds found = weight * force->refined_to(width, enough / weight, limit / weight);
+    if (limit < known.lower || limit >= known.upper || !search) break;
+    const Bounds found = weight * search(width, enough / weight, limit / weight);
     known.lower = std::max(known.lower, found.lower);
     if (found.lower <= limit) known.upper = std::min(known.upper, found.upper);
     enough = limit;
   }
-  return force ? known.lower > limit : known.upper > limit;
+  return search ? known.lower > limit : known.upper > limit;
 }
 
 bool BandMaximum::exceeds(double limit) {
@@ -188,17 +197,17 @@ double BandMaximum::upper_value(double omega, double excess, double limit, doubl
   const auto known = values_.find(omega);
   if (known != values_.end() && (known->second.upper <= enough || known->second.width <= width))
     return known->second.upper;
-  const Decided at = force_at(omega, std::max(kWidthOfADampedValue, width));
-  const Bounds value =
-      at.force ? at.weight * at.force->refined_to(width, enough / at.weight,
-                                                  std::isnan(limit) ? infinity : limit / at.weight)
-               : at.known;
+  const Decided at = force_at(omega);
+  const double sharp = damped_ ? std::max(kWidthOfADampedValue, width) : width;
+  const Bounds value = at.search ? at.weight * at.search(sharp, enough / at.weight,
+                                                         std::isnan(limit) ? infinity : limit / at.weight)
+                                 : at.known;
   if (value.lower > lower_) {
     lower_ = value.lower;
     best_omega_ = omega;
   }
-  if (at.force && value.lower > limit) return infinity;
-  values_[omega] = {value.upper, at.force && value.upper <= enough ? infinity : width};
+  if (at.search && value.lower > limit) return infinity;
+  values_[omega] = {value.upper, at.search && value.upper <= enough ? infinity : width};
   return value.upper;
 }
 

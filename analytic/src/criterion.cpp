@@ -54,15 +54,27 @@ Criterion evaluate_criterion(const data::Case& problem, double relative_width) {
   return criterion_of(problem, StickReaction(problem).largest(relative_width));
 }
 
-Criterion criterion_with_all_modes(const data::Case& problem, double relative_width, bool verdict_alone) {
+Criterion criterion_with_all_modes(const data::Case& problem, double relative_width) {
   require_contact(problem);
-  const auto [first, most] = modes_of_all(problem, verdict_alone);
+  const auto [first, most] = modes_of_all(problem);
   for (int modes = first;; modes = std::min(2 * modes, most)) {
     const Bounds per_unit = StickReaction(problem, modes).largest(relative_width);
     const Criterion criterion = criterion_of(problem, per_unit);
-    const bool is_decided =
-        criterion.verdict != Verdict::undecided && (verdict_alone || per_unit.lower > 0.0);
-    if (is_decided || modes == most) return criterion;
+    if ((criterion.verdict != Verdict::undecided && per_unit.lower > 0.0) || modes == most) return criterion;
+  }
+}
+
+Verdict verdict_with_all_modes(const data::Case& problem, const StickReactions& reactions,
+                               double relative_width) {
+  require_contact(problem);
+  const double limit = problem.contact.friction.static_coefficient() * problem.normal_force();
+  if (load(problem) == 0.0) return Verdict::stick;
+  const auto [first, most] = modes_of_all(problem, true);
+  for (int modes = first;; modes = std::min(2 * modes, most)) {
+    const double of_unit = limit / load(problem);
+    const Verdict verdict =
+        verdict_of(reactions.of(problem, modes).largest_against(of_unit, relative_width), of_unit);
+    if (verdict != Verdict::undecided || modes == most) return verdict;
   }
 }
 

@@ -24,6 +24,11 @@ constexpr double kUnitRoundoff = 0.5 * std::numeric_limits<double>::epsilon();
 constexpr double kMostPieces = 1e8;
 
 constexpr double kTail = 1.04;
+constexpr double kNearUnderflow = -700.0;  // in exp(), which is slow beyond
+constexpr double kForgotten = -37.0;       // exp() of it is below the unit roundoff: the rest is in rounding_
+
+// exp(x), 0 where that is below the unit roundoff.
+double decay(double x) { return x > kForgotten ? std::exp(x) : 0.0; }
 
 double cubed(double x) { return x * x * x; }
 
@@ -128,7 +133,7 @@ DampedForce::DampedForce(const DampedReaction& reaction, double angular_frequenc
   Complex steady = -i * (reaction.quasi_static + reaction.inertia * omega * omega) + reaction.rate * omega;
   Complex apart = steady;  // without what is in the beats
   double cancelled = std::abs(steady);
-  terms_.push_back({0.0, i * omega});
+  terms_.push_back({.amplitude = 0.0, .exponent = i * omega});
   for (const ModalShare& one : reaction.shares) {
     const Complex eigenvalue = one.eigenvalue;
     Complex transient = one.start * omega;
@@ -144,9 +149,13 @@ DampedForce::DampedForce(const DampedReaction& reaction, double angular_frequenc
       cancelled += std::abs(share);
       transient -= share;
     }
-    terms_.push_back({transient, eigenvalue});
+    terms_.push_back({.amplitude = transient, .exponent = eigenvalue});
   }
   terms_.front().amplitude = apart;
+  for (Term& term : terms_) {
+    term.size = std::abs(term.amplitude);
+    term.third = term.size * cubed(std::abs(term.exponent));
+  }
   steady_amplitude_ = std::abs(steady);
 
   const auto operations = static_cast<double>(terms_.size() + near_resonant_terms_.size()) + 20.0;
@@ -154,7 +163,7 @@ DampedForce::DampedForce(const DampedReaction& reaction, double angular_frequenc
   for (const Term& term : terms_) {
     // A phase is wrong by up to |λ| t eps, and counts while exp(Re λ t) lets it.
     const double longest = std::min(duration, 1.0 / (std::numbers::e * std::abs(term.exponent.real())));
-    rounding_ += std::abs(term.amplitude) * (4.0 * std::abs(term.exponent) * longest + operations);
+    rounding_ += term.size * (4.0 * std::abs(term.exponent) * longest + operations);
   }
   for (const NearResonantTerm& beat : near_resonant_terms_)
     rounding_ +=
@@ -212,12 +221,15 @@ void DampedForce::bound_omitted(const DampedReaction& reaction, const DampedReac
 
 double DampedForce::omitted(double t) const {
   double sum = 0.0;
-  for (const auto& [amplitude, rate] : omitted_) sum += amplitude * std::exp(-rate * t);
+  for (const auto& [amplitude, rate] : omitted_)
+    sum += amplitude * std::exp(std::max(-rate * t, kNearUnderflow));
   return sum;
 }
 
 void DampedForce::add(TaylorCoefficients& sum, const Term& term, double t) const {
-  const Complex value = term.amplitude * std::exp(term.exponent * t), slope = term.exponent * value;
+  const Complex value =
+                    term.amplitude * std::polar(std::exp(term.exponent.real() * t), term.exponent.imag() * t),
+                slope = term.exponent * value;
   sum.value += value.real();
   sum.slope += slope.real();
   sum.curvature += (term.exponent * slope).real();
@@ -234,7 +246,8 @@ void DampedForce::add(TaylorCoefficients& sum, const NearResonantTerm& beat, dou
 
 TaylorCoefficients DampedForce::jet(double t) const {
   TaylorCoefficients sum;
-  for (const Term& term : terms_) add(sum, term, t);
+  for (const Term& term : terms_)
+    if (term.exponent.real() * t > kForgotten) add(sum, term, t);
   for (const NearResonantTerm& beat : near_resonant_terms_) add(sum, beat, t);
   return sum;
 }
@@ -242,37 +255,38 @@ TaylorCoefficients DampedForce::jet(double t) const {
 double DampedForce::transient_bound(double t) const {
   double sum = 0.0;
   for (std::size_t k = 1; k < terms_.size(); ++k)
-    sum += std::abs(terms_[k].amplitude) * std::exp(terms_[k].exponent.real() * t);
+    sum += terms_[k].size * decay(terms_[k].exponent.real() * t);
   return sum;
 }
 
-/// All pieces of one width at a time.
+/// All pieces of one width at a time, from the first one on. A piece whose upper bound does not exceed the larger of `enough_` and
+/// lower (1 + relative width) is done with; a lower bound above `too_much_` ends the search.
 class DampedForce::Search {
  public:
-  Search(const DampedForce& force, double relative_width) : force_(force), relative_width_(relative_width) {
+  Search(const DampedForce& force, double relative_width, double enough, double too_much)
+      : force_(force), relative_width_(relative_width), enough_(enough), too_much_(too_much) {
     for (const NearResonantTerm& beat : force.near_resonant_terms_) {
       const double b = std::abs(beat.amplitude), w = std::abs(beat.exponent), o = force.omega_;
       beats_value_ += b * force.duration_;
       beats_third_ += b * (cubed(w) * force.duration_ + w * w + w * o + o * o);
     }
+    upper_ = force.upper_bound();
+    if (upper_ <= enough_) return;
+    upper_ = 0.0;
     double end = force.duration_;
     if (const auto settled = settling_time()) {
       end = *settled;
-      const double amplitude = std::abs(force.terms_.front().amplitude);
+      const double amplitude = force.terms_.front().size;
       const double rest = force.transient_bound(end) + force.omitted(end) + force.rounding_;
       lower_ = std::max(0.0, amplitude - rest);
       upper_ = amplitude + rest;
     }
-    constexpr int looks = 64;
-    const double early = std::min(end, 60.0 / force.omega_);
-    for (int k = 1; k <= looks; ++k)
-      for (const double span : {early, end})
-        see(span * k / looks, force.value(span * k / looks), force.rounding_);
+    look(end);
     require_count(end * force.omega_);
     const double count = std::ceil(end * force.omega_ / 64.0);
     radius_ = 0.5 * end / count;
     for (double k = 0.0; k < count; ++k) centres_.push_back((2.0 * k + 1.0) * radius_);
-    while (!centres_.empty()) halve();
+    while (!centres_.empty() && lower_ <= too_much_) halve();
   }
 
   [[nodiscard]] Bounds bounds() const { return {lower_, std::max(lower_, upper_)}; }
@@ -280,6 +294,14 @@ class DampedForce::Search {
  private:
   void see(double t, double value, double uncertainty) {
     lower_ = std::max(lower_, std::abs(value) - uncertainty - force_.omitted(t));
+  }
+
+  void look(double end) {
+    constexpr int looks = 16;
+    const double early = std::min(end, 60.0 / force_.omega_);
+    for (int k = 1; k <= looks && lower_ <= too_much_; ++k)
+      for (const double span : {early, end})
+        see(span * k / looks, force_.value(span * k / looks), force_.rounding_);
   }
 
   void require_count(double count) const {
@@ -291,7 +313,7 @@ class DampedForce::Search {
 
   /// From when on the steady vibration bounds the force, if that is half a period before the end.
   [[nodiscard]] std::optional<double> settling_time() const {
-    const double enough = 0.25 * relative_width_ * std::abs(force_.terms_.front().amplitude);
+    const double enough = 0.25 * relative_width_ * force_.terms_.front().size;
     const double last = force_.duration_ - std::numbers::pi / force_.omega_;
     if (!force_.near_resonant_terms_.empty() || !(last > 0.0) || force_.transient_bound(last) > enough)
       return std::nullopt;
@@ -304,39 +326,53 @@ class DampedForce::Search {
   }
 
   [[nodiscard]] bool is_done(double upper) const {
-    return upper <= (1.0 + relative_width_) * lower_ + 2.0 * force_.rounding_;
+    return upper <= std::max(enough_, (1.0 + relative_width_) * lower_ + 2.0 * force_.rounding_);
   }
 
-  /// The bound of a piece without what is omitted, with its value seen unless the sum of the amplitudes is bound enough,
-  /// or the piece is too wide for a parabola.
-  [[nodiscard]] double upper_of(double centre, double omitted) {
-    const double start = std::max(0.0, centre - radius_), reach = cubed(radius_) / 6.0;
-    const double largest = std::abs(force_.terms_.front().amplitude) + force_.transient_bound(start) +
-                           beats_value_ + force_.rounding_;
-    if (is_done(largest + omitted) || radius_ * force_.omega_ > 1.0) return largest;
+  /// The bound of a piece without what is omitted from its value and parabola; `amplitudes` is that from the amplitudes.
+  [[nodiscard]] double upper_of(double centre, double amplitudes) {
+    const double reach = cubed(radius_) / 6.0;
     TaylorCoefficients sum;
     double rest = force_.rounding_, excess = 0.0;
-    for (const Term& term : force_.terms_) {
-      const double amplitude = std::abs(term.amplitude) * std::exp(term.exponent.real() * start);
-      const double beyond = amplitude * cubed(std::abs(term.exponent)) * reach;
-      if (beyond < amplitude) {
+    for (std::size_t k = 0; k < force_.terms_.size(); ++k) {
+      const Term& term = force_.terms_[k];
+      if (decay_[k] == 0.0) continue;
+      if (term.third * reach < term.size) {
         force_.add(sum, term, centre);
-        excess += beyond;
+        excess += term.third * decay_[k] * reach;
       } else {
-        rest += amplitude;
+        rest += term.size * decay_[k];
       }
     }
     for (const NearResonantTerm& beat : force_.near_resonant_terms_) force_.add(sum, beat, centre);
     excess += beats_third_ * reach;
     see(centre, sum.value, rest);
-    return std::min(largest, largest_parabola(sum.value, sum.slope, sum.curvature, radius_) + excess + rest);
+    return std::min(amplitudes,
+                    largest_parabola(sum.value, sum.slope, sum.curvature, radius_) + excess + rest);
+  }
+
+  /// The bound of all that comes from t on by the amplitudes, and decay_.
+  [[nodiscard]] double amplitudes_from(double t) {
+    double sum = beats_value_ + force_.rounding_;
+    decay_.clear();
+    for (const Term& term : force_.terms_) {
+      decay_.push_back(decay(term.exponent.real() * t));
+      sum += term.size * decay_.back();
+    }
+    return sum;
   }
 
   void halve() {
     std::vector<double> left;
     for (const double centre : centres_) {
-      const double omitted = force_.omitted(std::max(0.0, centre - radius_));
-      const double upper = upper_of(centre, omitted);
+      if (lower_ > too_much_) return;
+      const double start = std::max(0.0, centre - radius_), omitted = force_.omitted(start);
+      double upper = amplitudes_from(start);
+      if (is_done(upper + omitted)) {  // and so are all later ones
+        upper_ = std::max(upper_, upper + omitted);
+        break;
+      }
+      if (radius_ * force_.omega_ <= 1.0) upper = upper_of(centre, upper);  // else too wide for a parabola
       // What is omitted widens the bounds, but no more than it does at the end of the piece, twice.
       if (is_done(upper + omitted) ||
           (is_done(upper - omitted) && omitted <= 2.0 * force_.omitted(centre + radius_))) {
@@ -352,16 +388,27 @@ class DampedForce::Search {
   }
 
   const DampedForce& force_;
-  double relative_width_;
+  double relative_width_, enough_, too_much_;
   double beats_value_{}, beats_third_{};
   double lower_{}, upper_{};
   double radius_{};
   std::vector<double> centres_;
+  std::vector<double> decay_;  // exp(Re λ t) by term, at the start of a piece
 };
 
 Bounds DampedForce::refined_to(double relative_width) const {
+  return refined_to(relative_width, 0.0, std::numeric_limits<double>::infinity());
+}
+
+Bounds DampedForce::refined_to(double relative_width, double enough, double too_much) const {
   require_relative_width(relative_width);
-  return Search(*this, relative_width).bounds();
+  return Search(*this, relative_width, enough, too_much).bounds();
+}
+
+double DampedForce::upper_bound() const {
+  double sum = terms_.front().size + transient_bound(0.0) + omitted(0.0) + rounding_;
+  for (const NearResonantTerm& beat : near_resonant_terms_) sum += std::abs(beat.amplitude) * duration_;
+  return sum;
 }
 
 }  // namespace stickslip::analytic

@@ -12,18 +12,21 @@
 namespace stickslip::analytic {
 namespace {
 
-/// int of the outer product f fᵀ over 0 ... length, f a vector of functions that turn at most `waves` times, by panels
-/// of less than half a wave.
+/// int of the outer product f fᵀ over 0 ... length, f a vector of functions with at most `half_waves` of them, by panels of about half a
+/// wave: of a product a whole one, which 16 points integrate to 1e-28.
 Matrix integral_of_products(const std::function<std::vector<double>(double)>& functions, double length,
-                            std::size_t waves) {
+                            std::size_t half_waves) {
   Matrix result;
-  for_each_gauss_point(0.0, length, 2 * waves + 4, [&](double x, double weight) {
+  for_each_gauss_point(0.0, length, half_waves + 2, [&](double x, double weight) {
     const std::vector<double> f = functions(x);
     if (result.empty()) result = Matrix(f.size(), f.size());
     for (std::size_t row = 0; row < f.size(); ++row)
-      for (std::size_t column = 0; column < f.size(); ++column)
+      for (std::size_t column = 0; column <= row; ++column)
         result(row, column) += weight * f[row] * f[column];
   });
+  for (std::size_t row = 0; row < result.rows(); ++row)
+    for (std::size_t column = row + 1; column < result.columns(); ++column)
+      result(row, column) = result(column, row);
   return result;
 }
 

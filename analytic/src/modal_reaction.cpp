@@ -10,6 +10,7 @@
 
 #include "arguments.hpp"
 #include "beam_constants.hpp"
+#include "chebyshev_table.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/analytic/timoshenko_modes.hpp"
 
@@ -37,40 +38,6 @@ Functions tabulated_functions(double load_factor, double axial_direction, int mo
   return values;
 }
 
-/// Chebyshev coefficients by degree of the interpolant in `count` points of the first kind on [lowest,
-/// highest].
-std::vector<Functions> interpolant(double lowest, double highest, double axial_direction, int modes,
-                                   std::size_t count) {
-  std::vector<Functions> samples;
-  const auto angle = [count](std::size_t j) {
-    return std::numbers::pi * (static_cast<double>(j) + 0.5) / static_cast<double>(count);
-  };
-  for (std::size_t j = 0; j < count; ++j)
-    samples.push_back(tabulated_functions(std::lerp(lowest, highest, 0.5 + 0.5 * std::cos(angle(j))),
-                                          axial_direction, modes));
-  std::vector<Functions> coefficients(count, Functions(samples.front().size(), 0.0));
-  for (std::size_t k = 0; k < count; ++k)
-    for (std::size_t j = 0; j < count; ++j) {
-      const double weight =
-          (k == 0 ? 1.0 : 2.0) / static_cast<double>(count) * std::cos(static_cast<double>(k) * angle(j));
-      for (std::size_t f = 0; f < samples[j].size(); ++f) coefficients[k][f] += weight * samples[j][f];
-    }
-  return coefficients;
-}
-
-/// Whether the last two coefficients of each function are rounding.
-bool ends_in_rounding(const std::vector<Functions>& coefficients) {
-  constexpr double rounding = 64.0 * std::numeric_limits<double>::epsilon();
-  const std::size_t degrees = coefficients.size();
-  for (std::size_t f = 0; f < coefficients.front().size(); ++f) {
-    double largest = 0.0;
-    for (const Functions& of_degree : coefficients) largest = std::max(largest, std::abs(of_degree[f]));
-    if (std::abs(coefficients[degrees - 1][f]) + std::abs(coefficients[degrees - 2][f]) > rounding * largest)
-      return false;
-  }
-  return true;
-}
-
 }  // namespace
 
 std::vector<ModalForce> modal_forces(const data::Beam& beam, int modes) {
@@ -92,25 +59,18 @@ ModalReactionTable::ModalReactionTable(double lowest_load_factor, double highest
   if (!(lowest_ >= 0.0 && lowest_ <= highest_))
     throw wrong_argument("the lowest load factor", lowest_,
                          "at least 0 and at most the highest, " + data::shortest_text(highest_));
-  for (std::size_t count = 8; count <= 128; count *= 2) {
-    coefficients_ = interpolant(lowest_, highest_, axial_direction_, modes, count);
-    if (ends_in_rounding(coefficients_)) return;
-  }
-  throw std::runtime_error("the modes as functions of the load factor did not converge");
-}
-
-// Clenshaw's recurrence, for all functions at once.
-std::vector<double> ModalReactionTable::functions_at(double load_factor) const {
-  const double width = highest_ - lowest_;
-  const double x = width > 0.0 ? (2.0 * load_factor - lowest_ - highest_) / width : 0.0;
-  const std::size_t count = coefficients_.front().size();
-  Functions next(count, 0.0), after(count, 0.0);
-  for (std::size_t k = coefficients_.size() - 1; k > 0; --k) {
-    for (std::size_t f = 0; f < count; ++f) after[f] = coefficients_[k][f] + 2.0 * x * next[f] - after[f];
-    next.swap(after);
-  }
-  for (std::size_t f = 0; f < count; ++f) after[f] = coefficients_[0][f] + x * next[f] - after[f];
-  return after;
+  constexpr double rounding = 64.0 * std::numeric_limits<double>::epsilon();
+  constexpr std::size_t most_points = 128;
+  const auto table =
+      ChebyshevTable::of([&](double z, double) { return tabulated_functions(z, axial_direction, modes); },
+                         {lowest_, highest_}, {0.0, 0.0},
+                         [](Functions largest) {
+                           for (double& value : largest) value *= rounding;
+                           return largest;
+                         },
+                         most_points);
+  if (!table) throw std::runtime_error("the modes as functions of the load factor did not converge");
+  table_ = std::make_shared<const ChebyshevTable>(*table);
 }
 
 bool ModalReactionTable::holds(const data::Beam& beam) const {
@@ -126,7 +86,7 @@ ModalReaction ModalReactionTable::at(const data::Beam& beam) const {
                          "in the range of the table, " + data::shortest_text(lowest_) + " ... " +
                              data::shortest_text(highest_) + ", at its axial_direction, " +
                              data::shortest_text(axial_direction_));
-  const Functions values = functions_at(z);
+  const Functions values = table_->at(z, 0.0);
   const double length = beam.length();
   const double stiffness = bending_stiffness(beam) / (length * length * length);  // EI/L³
   const double frequency = std::sqrt(stiffness / (mass_per_length(beam) * length));

@@ -6,10 +6,13 @@
 #include <cstdio>
 #include <limits>
 #include <numbers>
+#include <optional>
+#include <span>
 #include <string>
 #include <utility>
 
 #include "beam_constants.hpp"
+#include "damped_table.hpp"
 #include "stickslip/analytic/damped_steady_state.hpp"
 #include "stickslip/analytic/held_motion.hpp"
 #include "stickslip/analytic/random_reaction.hpp"
@@ -46,6 +49,11 @@ Bounds of_motion(const data::Case& problem, int modes, bool with_omitted) {
 // Any but an undamped beam on a wall at rest.
 bool needs_held_structure(const data::Case& problem) {
   return problem.model() != nullptr || problem.is_damped() || wall_share(problem) != 1.0;
+}
+
+// Eq. (28) is that of a beam on a wall at rest.
+SteadyPart part_of_truncated(const data::Case& problem) {
+  return problem.model() == nullptr && wall_share(problem) == 1.0 ? SteadyPart::modal_sum : SteadyPart::exact;
 }
 
 // L_n
@@ -104,17 +112,19 @@ StickReaction::StickReaction(const data::Case& problem, int modes)
 StickReaction::StickReaction(const data::Case& problem, ModalReaction reaction)
     : StickReaction(problem, Kept{.undamped = std::move(reaction), .damped = {}, .half = {}}) {}
 
+StickReaction::StickReaction(const data::Case& problem, DampedReaction reaction,
+                             std::optional<DampedReaction> half)
+    : StickReaction(problem, Kept{.undamped = {}, .damped = std::move(reaction), .half = std::move(half)}) {}
+
 StickReaction::Kept StickReaction::kept_of(const data::Case& problem) {
   Kept kept;
   if (problem.has(data::Feature::general_motion)) {
     kept.of_motion = of_motion(problem, problem.numerics.modes(), false);
     return kept;
   }
-  // Eq. (28) is that of a beam on a wall at rest.
-  const bool is_that_of_the_paper = problem.model() == nullptr && wall_share(problem) == 1.0;
   if (needs_held_structure(problem))
-    kept.damped = damped_reaction(held_structure(problem, problem.numerics.modes()),
-                                  is_that_of_the_paper ? SteadyPart::modal_sum : SteadyPart::exact);
+    kept.damped =
+        damped_reaction(held_structure(problem, problem.numerics.modes()), part_of_truncated(problem));
   if (!problem.is_damped()) kept.undamped = undamped_reaction(problem);
   return kept;
 }
@@ -156,10 +166,19 @@ DampedForce StickReaction::damped_force() const {
 }
 
 Bounds StickReaction::largest(double relative_width) const {
+  return largest_against(std::nullopt, relative_width);
+}
+
+Bounds StickReaction::largest_against(std::optional<double> limit, double relative_width) const {
   if (kept_->of_motion) return *kept_->of_motion;
-  return widened(kept_->damped ? damped_force().refined_to(relative_width)
-                               : ForceMaximum(*kept_->undamped, omega_, duration_).refined_to(relative_width),
-                 kept_->omitted.start_up);
+  const double by = kept_->omitted.start_up;
+  const auto bounds = [&](const auto& force) {
+    if (!limit) return force.refined_to(relative_width);
+    const double enough = std::max(0.0, *limit - by), most = force.upper_bound();
+    return most <= enough ? Bounds{0.0, most} : force.refined_to(relative_width, enough, *limit + by);
+  };
+  return widened(
+      kept_->damped ? bounds(damped_force()) : bounds(ForceMaximum(*kept_->undamped, omega_, duration_)), by);
 }
 
 Bounds StickReaction::damped_steady() const {
@@ -167,8 +186,7 @@ Bounds StickReaction::damped_steady() const {
 }
 
 bool StickReaction::exceeds(double limit, double relative_width) const {
-  if (!kept_->undamped || kept_->damped) return largest(relative_width).lower > limit;
-  return ForceMaximum(*kept_->undamped, omega_, duration_).exceeds(limit);
+  return largest_against(limit, relative_width).lower > limit;
 }
 
 BandMaximum StickReaction::over(const FrequencyBand& band, DampedForcePart part) const {
@@ -176,12 +194,12 @@ BandMaximum StickReaction::over(const FrequencyBand& band, DampedForcePart part)
   return {*kept_->damped, band, duration_, part};
 }
 
-double StickReaction::least_damping_ratio() const {
+double StickReaction::decay_near(double omega) const {
   if (!kept_->damped) return 0.0;
-  double least = 1.0;
-  for (const ModalShare& share : kept_->damped->shares)
-    least = std::min(least, -share.eigenvalue.real() / std::abs(share.eigenvalue));
-  return least;
+  const auto nearest = std::ranges::min_element(kept_->damped->shares, {}, [omega](const ModalShare& share) {
+    return std::abs(std::abs(share.eigenvalue) - omega);
+  });
+  return -nearest->eigenvalue.real();
 }
 
 double StickReaction::slowest_decay() const {
@@ -191,10 +209,50 @@ double StickReaction::slowest_decay() const {
   return slowest;
 }
 
-void StickReactions::tabulate(double lowest_load_factor, double highest_load_factor) {
-  if (needs_held_structure(first_) || first_.has(data::Feature::shear)) return;
-  table_.emplace(lowest_load_factor, highest_load_factor, first_.numerics.modes(),
-                 first_.beam().axial_direction());
+void StickReactions::tabulate(std::span<const data::Case> cases, std::size_t structures) {
+  constexpr double most_of_buckling = 0.999;  // below which a table keeps its digits
+  const double infinite = std::numeric_limits<double>::infinity();
+  load_factor_ = damping_ = {infinite, 0.0};
+  for (const data::Case& problem : cases) {
+    if (problem.model() != nullptr || (first_.is_damped() && !are_alike(problem, first_))) return;
+    const auto [z, q] = damped_numbers(problem);
+    load_factor_ = {std::min(load_factor_.lower, z), std::max(load_factor_.upper, z)};
+    damping_ = {std::min(damping_.lower, q), std::max(damping_.upper, q)};
+  }
+  const double buckling = buckling_load(first_) / first_.normal_force() * axial_load_factor(first_.beam());
+  load_factor_.upper = std::min(load_factor_.upper, most_of_buckling * buckling);
+  if (!(load_factor_.lower > 0.0 && load_factor_.lower <= load_factor_.upper) ||
+      first_.has(data::Feature::shear))
+    return;
+  if (first_.is_damped())
+    most_points_ = structures / 4;
+  else if (!needs_held_structure(first_))
+    table_.emplace(load_factor_.lower, load_factor_.upper, first_.numerics.modes(),
+                   first_.beam().axial_direction());
+}
+
+std::optional<DampedReaction> StickReactions::tabulated(const data::Case& problem, int modes,
+                                                        SteadyPart part) const {
+  constexpr int most_modes = 40;
+  if (most_points_ == 0 || modes > most_modes || !problem.is_damped()) return std::nullopt;
+  std::shared_ptr<const DampedReactionTable> table;
+  {
+    const std::lock_guard lock(guard_);
+    const auto [known, is_new] = damped_tables_.try_emplace(std::pair(modes, part));
+    if (is_new)
+      if (auto made = DampedReactionTable::of(first_, load_factor_, damping_, modes, part, most_points_))
+        known->second = std::make_shared<const DampedReactionTable>(std::move(*made));
+    table = known->second;
+  }
+  if (table == nullptr || !table->holds(problem)) return std::nullopt;
+  return table->at(problem);
+}
+
+StickReaction StickReactions::of(const data::Case& problem, int modes) const {
+  if (auto reaction = tabulated(problem, modes, SteadyPart::exact))
+    if (auto half = tabulated(problem, modes / 2, SteadyPart::exact))
+      return {problem, std::move(*reaction), std::move(half)};
+  return {problem, modes};
 }
 
 StickReaction StickReactions::of(const data::Case& problem) const {
@@ -202,6 +260,8 @@ StickReaction StickReactions::of(const data::Case& problem) const {
   if (table_ && problem.numerics.modes() == first_.numerics.modes() && !needs_held_structure(problem) &&
       table_->holds(problem.beam()))
     return {problem, table_->at(problem.beam())};
+  if (auto reaction = tabulated(problem, problem.numerics.modes(), part_of_truncated(problem)))
+    return {problem, std::move(*reaction)};
   const auto has_its_modes = [&](const Known& known) {
     return problem.numerics.modes() == known.problem.numerics.modes() &&
            problem.structure == known.problem.structure && problem.damping == known.problem.damping &&

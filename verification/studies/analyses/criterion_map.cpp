@@ -46,12 +46,6 @@ std::size_t evaluations_along(const MapTask& task, const MapAxis& axis) {
   return is_a_factor(task.problem, axis.parameter) && task.quantities.empty() ? 1 : axis.values.size();
 }
 
-// The load factor P L²/EI, which determines the buckling state and the modes of the stick state.
-double load_factor(const data::Beam& beam, double axial_force) {
-  return axial_force * beam.length() * beam.length() / (beam.youngs_modulus() * beam.second_moment_of_area());
-}
-double load_factor(const data::Beam& beam) { return load_factor(beam, beam.axial_force()); }
-
 data::Case case_at(const MapTask& task, std::size_t i, std::size_t j) {
   return with_value(with_value(task.problem, task.x.parameter, task.x.values[i]), task.y.parameter,
                     task.y.values[j]);
@@ -69,17 +63,17 @@ class Forces {
  public:
   explicit Forces(const MapTask& task)
       : by_elements_(task.method->basis == Basis::elements), reactions_(task.problem) {
-    // Their modes depend on more than the load factor.
-    if (by_elements_ || task.problem.model() != nullptr || !varies_beam(task) || couples_modes(task)) return;
-    double lowest = std::numeric_limits<double>::infinity(), highest = 0.0;
+    if (by_elements_) return;
+    const auto structures_along = [&](const MapAxis& axis) {
+      const auto& effects = data::key_named(axis.parameter).effects;
+      return effects.varies_beam || effects.couples_modes ? axis.values.size() : 1;
+    };
+    const std::size_t structures = structures_along(task.x) * structures_along(task.y);
+    if (structures == 1) return;
+    std::vector<data::Case> corners;
     for (const std::size_t j : ends_of(task.y))
-      for (const std::size_t i : ends_of(task.x)) {
-        const data::Beam beam = case_at(task, i, j).beam();
-        lowest = std::min(lowest, load_factor(beam));
-        highest = std::max(highest, load_factor(beam));
-      }
-    highest = std::min(highest, just_below_buckling(case_at(task, 0, 0)));
-    if (lowest > 0.0 && lowest < highest) reactions_.tabulate(lowest, highest);
+      for (const std::size_t i : ends_of(task.x)) corners.push_back(case_at(task, i, j));
+    reactions_.tabulate(corners, structures);
   }
 
   // |f_max| per unit of Factors::load.
@@ -104,11 +98,6 @@ class Forces {
   }
 
   static std::array<std::size_t, 2> ends_of(const MapAxis& axis) { return {0, axis.values.size() - 1}; }
-
-  // The same load factor for all beams. The first mode still has one or two correct digits there.
-  static double just_below_buckling(const data::Case& problem) {
-    return load_factor(problem.beam(), analytic::buckling_load(problem)) * (1.0 - 1e-12);
-  }
 
   bool by_elements_;
   analytic::StickReactions reactions_;

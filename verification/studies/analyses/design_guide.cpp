@@ -2,6 +2,7 @@
 #include "studies/analyses/design_guide.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
@@ -53,12 +54,18 @@ analytic::FrequencyBand stated_by(const data::Case& problem, analytic::Frequency
 // The case with one value of the parameter, and the bounds of the force that are known there.
 class Candidate {
  public:
-  Candidate(const data::Case& problem, double value, const analytic::FrequencyBand& band)
-      : Candidate(problem, value, band, analytic::StickReaction(problem)) {}
+  Candidate(const data::Case& problem, double value, const analytic::FrequencyBand& band,
+            const analytic::StickReaction& reaction)
+      : value_(value),
+        limit_(friction_limit(problem) / amplitude_at_start(problem, band)),
+        modes_(analytic::held_modes(problem, problem.numerics.modes())),
+        search_(reaction.over(stated_by(problem, band))) {
+    for (const auto& mode : modes_) decays_.push_back(reaction.decay_near(mode.angular_frequency));
+  }
 
   [[nodiscard]] double value() const { return value_; }
   [[nodiscard]] const std::vector<analytic::ModalForce>& modes() const { return modes_; }
-  [[nodiscard]] double least_ratio() const { return least_ratio_; }
+  [[nodiscard]] double decay(std::size_t mode) const { return decays_[mode]; }
 
   // Whether |f_max| per metre of amplitude at the lower end is at least `reserve` (N/m) below the limit over the whole band.
   [[nodiscard]] bool sticks(double reserve = 0.0) {
@@ -67,18 +74,10 @@ class Candidate {
   }
 
  private:
-  Candidate(const data::Case& problem, double value, const analytic::FrequencyBand& band,
-            const analytic::StickReaction& reaction)
-      : value_(value),
-        limit_(friction_limit(problem) / amplitude_at_start(problem, band)),
-        modes_(analytic::held_modes(problem, problem.numerics.modes())),
-        least_ratio_(reaction.least_damping_ratio()),
-        search_(reaction.over(stated_by(problem, band))) {}
-
   double value_;
   double limit_;  // μ_s P/A0 at the lower end of the band, N/m
   std::vector<analytic::ModalForce> modes_;
-  double least_ratio_;
+  std::vector<double> decays_;  // 1/s, by mode
   analytic::BandMaximum search_;
 };
 
@@ -87,10 +86,18 @@ class Scan {
  public:
   Scan(const data::Case& problem, std::string_view parameter, const analytic::FrequencyBand& band,
        double resolution)
-      : problem_(problem), parameter_(parameter), band_(band), resolution_(resolution) {}
+      : problem_(problem), parameter_(parameter), band_(band), resolution_(resolution), reactions_(problem) {}
+
+  // From now on the modes of candidates in the range are interpolated.
+  void tabulate(const analytic::Bounds& range, std::size_t candidates) {
+    const std::array ends{with_value(problem_, parameter_, range.lower),
+                          with_value(problem_, parameter_, range.upper)};
+    reactions_.tabulate(ends, candidates);
+  }
 
   [[nodiscard]] Candidate at(double value) const {
-    return {with_value(problem_, parameter_, value), value, band_};
+    const data::Case problem = with_value(problem_, parameter_, value);
+    return {problem, value, band_, reactions_.of(problem)};
   }
 
   // Appends the intervals from `left` to `right` in ascending order. What a candidate has found out serves both sides of it.
@@ -137,14 +144,13 @@ class Scan {
   // The estimate R of design_scan(): how far |f_max| per metre of amplitude rises above its larger end value, N/m. As b³, b² times
   // the weight of BandMaximum is largest at the end of the band.
   [[nodiscard]] double rise_between(const Candidate& left, const Candidate& right) const {
-    const double ratio = std::min(left.least_ratio(), right.least_ratio());
     const double a = two_pi * band_.from_hz, b = two_pi * band_.to_hz;
     double rise = 0.0;
     for (std::size_t n = 0; n < left.modes().size(); ++n) {
       const auto &upper = left.modes()[n], &lower = right.modes()[n];
       const double w = lower.angular_frequency, change = upper.angular_frequency - w;
       const double duration = problem_.numerics.duration();
-      const double t = ratio > 0.0 ? std::min(duration, 2.0 / (ratio * w)) : duration;
+      const double t = std::min(duration, 2.0 / std::min(left.decay(n), right.decay(n)));
       const double c = std::max(std::abs(upper.coefficient), std::abs(lower.coefficient));
       const double apart = std::max({0.0, a - upper.angular_frequency, w - b}) * (a + w);
       const double q = b * b * b / (apart * w);  // infinite in resonance
@@ -169,6 +175,7 @@ class Scan {
   std::string_view parameter_;
   analytic::FrequencyBand band_;
   double resolution_;
+  analytic::StickReactions reactions_;
 };
 
 // Joins neighbouring intervals with the same result and, where they slip, the same resonances.
@@ -233,8 +240,9 @@ DesignScan design_scan(const data::Case& problem, std::string_view parameter, co
   const double last = std::min(range.upper, below_buckling * buckling);
   DesignScan result{.parameter = parameter, .accuracy = relative_accuracy * range.upper, .intervals = {}};
   if (range.lower < last) {
-    const Scan scan(problem, parameter, band, last_share * result.accuracy);
+    Scan scan(problem, parameter, band, last_share * result.accuracy);
     const std::vector<double> values = scan.grid({range.lower, last});
+    scan.tabulate({range.lower, last}, values.size());
     std::vector<std::optional<Candidate>> candidates(values.size());
     in_parallel(
         values.size(),

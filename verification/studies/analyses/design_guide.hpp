@@ -71,9 +71,8 @@ STICKSLIP_MEMBERS(DesignScan, (accuracy), (intervals))
 ///     R = Σ_n |c_n| min((change of ω_n)²/8 min(T² q_n, b² T³/(3 ω_n)), 2 q_n).
 ///
 /// The symbols are those of BandMaximum. R is the leading estimate of the rise of |f_max| between the two
-/// values, caused by the change of the phases ω_n T over the duration T; with damping T is at most 2/(ζ ω_n), ζ the least damping
-/// ratio. An interval that is still
-/// undecided at 1/16 of `accuracy`, or within 1e-6 of the force, counts as slipping. So does an interval
+/// values, caused by the change of the phases ω_n T over the duration T; with damping T is at most 2/d_n, d_n the decay
+/// of that mode, 1/s. An interval that is still undecided at 1/16 of `accuracy`, or within 1e-6 of the force, counts as slipping. So does an interval
 /// between two neighbours that slip. The errors of the intervals that stick are therefore on the safe side.
 ///
 /// Uses thread_count() threads; the result does not depend on their number. `progress`, if given, receives

@@ -21,8 +21,7 @@ namespace {
 using analytic::Verdict;
 
 constexpr double force_width = 1e-8, band_width = 1e-3, common_width = 1e-6;
-constexpr std::size_t pilot_count = 1000;  // samples whose load factors are the range of the table of modes
-constexpr double most_tabulated = 0.999;   // of the buckling load, below which a table keeps its digits
+constexpr std::size_t pilot_count = 1000;  // samples whose beams are the range of the tables of modes
 constexpr std::array quantile_probabilities{0.05, 0.25, 0.5, 0.75, 0.95};
 
 // The result of one sample.
@@ -49,26 +48,19 @@ class Verdicts {
     force_ = band_ ? search_of(problem_).refined_to(common_width) : unit_force(problem);
   }
 
-  // From now on the modes of undamped beams with a load factor between those of the values are interpolated.
-  void tabulate(const std::vector<std::vector<double>>& values) {
-    if (problem_.model() != nullptr) return;
-    double lowest = std::numeric_limits<double>::infinity(), highest = 0.0;
+  // From now on the modes of beams like those of these values are interpolated.
+  void tabulate(const std::vector<std::vector<double>>& values, std::size_t samples) {
+    std::vector<data::Case> cases;
     for (const auto& sample : values) {
       try {
         const data::Case problem = case_at(sample);
         analytic::require_contact(problem);
-        const double share = problem.normal_force() / analytic::buckling_load(problem);
-        lowest = std::min(lowest, share);
-        highest = std::max(highest, share);
+        cases.push_back(problem);
       } catch (const data::InputError&) {
         continue;
       }
     }
-    const data::Beam& beam = problem_.beam();
-    const double buckling = analytic::buckling_load(problem_) * beam.length() * beam.length() /
-                            (beam.youngs_modulus() * beam.second_moment_of_area());
-    if (lowest <= highest && highest < most_tabulated)
-      reactions_.tabulate(lowest * buckling, highest * buckling);
+    reactions_.tabulate(cases, samples);
   }
 
   // Whether all samples have one |f_max| per unit of analytic::load().
@@ -88,6 +80,8 @@ class Verdicts {
   }
 
   [[nodiscard]] double nominal_margin() const { return of(problem_).margin; }
+
+  [[nodiscard]] const analytic::StickReactions& reactions() const { return reactions_; }
 
  private:
   [[nodiscard]] SampleResult of(const data::Case& problem) const {
@@ -202,21 +196,19 @@ void add_quantiles(SlipUncertainty& result, const std::vector<std::optional<Samp
     result.quantiles.push_back({p, quantile_of(loads, p), quantile_of(result.margins, p)});
 }
 
-analytic::Criterion criterion_of_all_modes(const data::Case& problem) {
-  return analytic::criterion_with_all_modes(problem, force_width, true);
-}
-
 // The verdict on a sample; where all have one force, that is computed once.
 auto judge_of_all_modes(const data::Case& problem, const data::Uncertainty& uncertainty,
                         const Verdicts& verdicts) {
   std::optional<analytic::Bounds> force;
-  if (verdicts.have_one_force()) force = criterion_of_all_modes(problem).force_max;
-  return [&problem, &uncertainty, force](std::span<const double> values) {
+  if (verdicts.have_one_force()) force = analytic::criterion_with_all_modes(problem, force_width).force_max;
+  return [&problem, &uncertainty, &verdicts, force](std::span<const double> values) {
     const data::Case sample = studies::case_at(problem, uncertainty.keys, values);
     const double ratio = analytic::load(sample) / analytic::load(problem);
     const Verdict known =
         force ? analytic::verdict_of(ratio * *force, friction_limit(sample)) : Verdict::undecided;
-    return known == Verdict::undecided ? criterion_of_all_modes(sample).verdict : known;
+    return known == Verdict::undecided
+               ? analytic::verdict_with_all_modes(sample, verdicts.reactions(), force_width)
+               : known;
   };
 }
 
@@ -368,7 +360,7 @@ SlipUncertainty slip_uncertainty(const data::Case& given, const data::Uncertaint
   std::vector<std::vector<double>> pilots;
   for (std::size_t index = 0; index < pilot_count; ++index)
     pilots.push_back(joint.at(independent_point(sampling.seed, index, joint.size())));
-  verdicts.tabulate(pilots);
+  verdicts.tabulate(pilots, sampling.samples);
 
   const bool has_indices = !sampling.is_short && joint.is_independent() && joint.size() <= 20;
   const std::size_t rows = at_most(most_index_rows, sampling);

@@ -311,6 +311,11 @@ TEST(Enclosures, OfDampedBeamsHoldEachInstant) {
         EXPECT_TRUE(enclose(bounds, {largest, largest * (1.0 + 1e-9)})) << width;
         EXPECT_LE(bounds.upper - bounds.lower, relative(bounds, width) + 3.0 * force.rounding()) << width;
       }
+      for (const double share : {0.1, 0.9, 1.0 - 1e-6, 1.0 + 1e-6, 1.1, 10.0}) {
+        const Bounds bounds = force.refined_to(1e-10, share * largest, share * largest);
+        EXPECT_EQ(bounds.lower > share * largest, share < 1.0) << share;
+        EXPECT_EQ(bounds.upper <= share * largest, share > 1.0) << share;
+      }
       // Later than that nothing is left of the start.
       const double settled = 40.0 / slowest + 2.0 * pi / omega;
       if (slowest <= 0.0 || settled * omega > 1e4) continue;
@@ -318,6 +323,46 @@ TEST(Enclosures, OfDampedBeamsHoldEachInstant) {
       EXPECT_TRUE(enclose(soon.refined_to(1e-9), late.refined_to(1e-9)));
     }
   });
+}
+
+// Those of tables against those of each beam's own modes. Both have the rounding of the eigenvalues, 16 eps of the fastest, which counts
+// as long as a free vibration lasts.
+TEST(Enclosures, OfTabulatedModesAreThoseOfTheBeam) {
+  const CaseDomain damped{
+      .lowest_force = 0.2, .highest_force = 0.8, .highest_frequency = 3.0, .kelvin_voigt = 0.5, .ratio = 0.6};
+  int tabulated = 0, beams = 0;
+  on_random_cases(40, damped, [&](const CaseText& text, RandomNumbers& numbers) {
+    if (!is_damped(text)) return;
+    const data::Case problem = with_value(text.problem(), "numerics.modes", numbers.whole(1, 12));
+    const auto varied = [&](double share) {
+      data::Case one = problem;
+      for (const char* key : {"beam.length", "beam.density", "beam.axial_force"})
+        one = with_value(one, key, data::value_of(problem, key) * (1.0 + share * numbers.uniform(-1.0, 1.0)));
+      return one;
+    };
+    std::vector<data::Case> range;
+    const double width = numbers.log_uniform(1e-3, 0.2);
+    for (int i = 0; i < 20; ++i) range.push_back(varied(width));
+    analytic::StickReactions reactions(problem);
+    reactions.tabulate(range, 4096);
+    for (int i = 0; i < 4; ++i) {
+      const data::Case one = varied(0.3 * width);
+      const auto reaction = analytic::damped_reaction(analytic::held_structure(one, one.numerics.modes()));
+      double fastest = omega_of(one), slowest = omega_of(one);
+      for (const auto& share : reaction.shares) {
+        fastest = std::max(fastest, std::abs(share.eigenvalue));
+        slowest = std::min(slowest, -share.eigenvalue.real());
+      }
+      const double truth = analytic::StickReaction(one).largest(1e-10).midpoint();
+      const Bounds found = reactions.of(one).largest(1e-10);
+      Tolerance error = round_off(4, fastest / slowest, truth);
+      error.value += 1e-10 * truth;  // the widths of both
+      EXPECT_TRUE(within(found.midpoint(), truth, error));
+      ++beams;
+      if (found.midpoint() != truth) ++tabulated;  // by rounding
+    }
+  });
+  EXPECT_GT(tabulated, beams / 2);
 }
 
 // Twice the modes twice, and of the steady part the closed form.

@@ -103,7 +103,7 @@ class BandMaximum {
     [[nodiscard]] bool operator<(const Interval& other) const { return upper < other.upper; }
   };
   void divide(const FrequencyBand& band, const std::vector<double>& natural);
-  [[nodiscard]] Decided force_at(double omega, double damped_width = 1e-8) const;
+  [[nodiscard]] Decided force_at(double omega) const;
   [[nodiscard]] double weight(double omega) const;
   [[nodiscard]] Suprema undamped_between(double from, double to) const;
   [[nodiscard]] Suprema damped_between(double from, double to) const;

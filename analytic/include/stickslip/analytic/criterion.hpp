@@ -11,6 +11,8 @@
 
 namespace stickslip::analytic {
 
+class StickReactions;
+
 enum class Verdict { stick, stick_slip, undecided };
 
 /// "stick", "stick-slip" or "undecided".
@@ -40,9 +42,10 @@ void require_contact(const data::Case& problem);
 [[nodiscard]] Criterion evaluate_criterion(const data::Case& problem, double relative_width = 1e-10);
 
 /// Without truncation: the exact steady part and many free vibrations (modes_of_all()), with bounds that hold those that are left out,
-/// 1e-5 of the paper's force with damping. There are twice as many as long as the bounds hold μ_s P or 0; the latter does not count
-/// where the verdict alone does.
-[[nodiscard]] Criterion criterion_with_all_modes(const data::Case& problem, double relative_width = 1e-10,
-                                                 bool verdict_alone = false);
+/// 1e-5 of the paper's force with damping. There are twice as many as long as the bounds hold μ_s P or 0.
+[[nodiscard]] Criterion criterion_with_all_modes(const data::Case& problem, double relative_width = 1e-10);
+/// Its verdict with less work, by the reactions of many cases.
+[[nodiscard]] Verdict verdict_with_all_modes(const data::Case& problem, const StickReactions& reactions,
+                                             double relative_width = 1e-10);
 
 }  // namespace stickslip::analytic

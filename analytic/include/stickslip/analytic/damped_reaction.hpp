@@ -106,6 +106,13 @@ class DampedForce {
   /// excitation.duration, if that needs more than 1e8 pieces.
   [[nodiscard]] Bounds refined_to(double relative_width = 1e-10) const;
 
+  /// The same with less work where more is not asked, as ForceMaximum does it: an upper bound that does not exceed `enough` (N/m) may be
+  /// wide, and a lower bound above `too_much` ends the search, after which the upper one says nothing.
+  [[nodiscard]] Bounds refined_to(double relative_width, double enough, double too_much) const;
+
+  /// The sum of the amplitudes with omitted(0), N/m, without a search.
+  [[nodiscard]] double upper_bound() const;
+
   /// Bound of the rounding error of an evaluation of f/A0, N/m.
   [[nodiscard]] double rounding() const noexcept { return rounding_; }
 
@@ -113,9 +120,10 @@ class DampedForce {
   class Search;
   using Complex = std::complex<double>;
 
-  // Re[amplitude exp(exponent t)]; that at Ω comes first.
+  // Re[amplitude exp(exponent t)], with |amplitude| and |amplitude exponent³|; that at Ω comes first.
   struct Term {
     Complex amplitude, exponent;
+    double size{}, third{};
   };
   // Re[amplitude (exp(pole t) - exp(exponent t))/(pole - exponent)]
   struct NearResonantTerm {

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "stickslip/data/problem.hpp"
 
 namespace stickslip::analytic {
+
+class ChebyshevTable;
 
 /// The share of one mode in the stick-state reaction.
 struct ModalForce {
@@ -54,10 +57,8 @@ class ModalReactionTable {
   [[nodiscard]] ModalReaction at(const data::Beam& beam) const;
 
  private:
-  [[nodiscard]] std::vector<double> functions_at(double load_factor) const;
-
   double lowest_, highest_, axial_direction_;
-  std::vector<std::vector<double>> coefficients_;  // [degree][function]
+  std::shared_ptr<const ChebyshevTable> table_;
 };
 
 }  // namespace stickslip::analytic

@@ -8,13 +8,17 @@
 /// frequency Ω, or of the general motion, and of the duration T of the case.
 
 #include <deque>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "stickslip/analytic/band_maximum.hpp"
 #include "stickslip/analytic/contact_model.hpp"
+#include "stickslip/analytic/damped_reaction.hpp"
 #include "stickslip/analytic/force_maximum.hpp"
 #include "stickslip/analytic/modal_reaction.hpp"
 #include "stickslip/data/problem.hpp"
@@ -60,23 +64,28 @@ class StickReaction {
   /// timoshenko_omitted_transient(), OmittedForce or DampedForce, whose conditions hold). The damping matrix of a Model couples
   /// its modes: where some are left out, their bounds are OmittedForce and that of DampedForce together, an estimate.
   StickReaction(const data::Case& problem, int modes);
-  /// With these modes of an undamped beam, those of the case.
+  /// With these modes of an undamped beam, or of a damped one, those of the case; with those of half as many modes it has the bounds of
+  /// what is left out.
   StickReaction(const data::Case& problem, ModalReaction reaction);
+  StickReaction(const data::Case& problem, DampedReaction reaction, std::optional<DampedReaction> half = {});
 
   /// The reaction of another case with the same structure, damping and number of modes, which are not computed again.
   [[nodiscard]] StickReaction of(const data::Case& other) const;
 
   /// Bounds of max |f| over 0 ≤ t ≤ T: ForceMaximum or DampedForce, widened by what is left out. Throws what refined_to() throws.
   [[nodiscard]] Bounds largest(double relative_width = 1e-10) const;
-  /// Whether max |f| exceeds the limit, N/m: largest(relative_width).lower > limit, without damping with fewer evaluations.
+  /// The same with less work: the bounds may be wide where they leave no doubt on which side of the limit, N/m, max |f| is, and an upper one
+  /// says nothing where the lower one is above it.
+  [[nodiscard]] Bounds largest_against(std::optional<double> limit, double relative_width = 1e-10) const;
+  /// Whether max |f| exceeds the limit, N/m: largest(relative_width).lower > limit, with fewer evaluations.
   [[nodiscard]] bool exceeds(double limit, double relative_width = 1e-10) const;
   /// The search for the largest max |f| over a band of frequencies.
   [[nodiscard]] BandMaximum over(const FrequencyBand& band,
                                  DampedForcePart part = DampedForcePart::start_up) const;
   /// Bounds of the amplitude of the steady part of a damped case (DampedForce::steady_bounds()).
   [[nodiscard]] Bounds damped_steady() const;
-  /// The least damping ratio of the modes that vibrate; 0 without damping.
-  [[nodiscard]] double least_damping_ratio() const;
+  /// 1/s, of the free vibration with the |λ| next to ω, rad/s; 0 without damping.
+  [[nodiscard]] double decay_near(double omega) const;
   /// 1/s, of the free vibration of the kept modes that decays least; 0 without damping, infinite without modes.
   [[nodiscard]] double slowest_decay() const;
 
@@ -96,22 +105,33 @@ class StickReaction {
   double omega_{}, duration_{};
 };
 
+class DampedReactionTable;
+
 /// The reactions of many cases. They share the modes of the latest ones where they can, or take them from a table.
 class StickReactions {
  public:
   explicit StickReactions(const data::Case& first) : first_(first) {}
 
-  /// From now on the modes of undamped beams, rigid in shear and with the χ of the first case, are interpolated for load factors
-  /// P L²/EI in this range (ModalReactionTable). Does nothing for a first case with damping or shear.
-  void tabulate(double lowest_load_factor, double highest_load_factor);
+  /// From now on the modes of beams are interpolated (ModalReactionTable, DampedReactionTable) where the load factor P L²/EI and the
+  /// damping are in the range of these cases, and up to 0.999 of the buckling load, if that takes less than a fourth of so many structures.
+  /// Those of other beams are computed as before.
+  void tabulate(std::span<const data::Case> cases, std::size_t structures);
 
-  /// Throws what StickReaction throws.
+  /// StickReaction(problem). Throws what that throws.
   [[nodiscard]] StickReaction of(const data::Case& problem) const;
+  /// StickReaction(problem, modes), from tables for up to 40 damped modes.
+  [[nodiscard]] StickReaction of(const data::Case& problem, int modes) const;
 
  private:
+  [[nodiscard]] std::optional<DampedReaction> tabulated(const data::Case& problem, int modes,
+                                                        SteadyPart part) const;
+
   data::Case first_;
   std::optional<ModalReactionTable> table_;
+  Bounds load_factor_{}, damping_{};  // the range
+  std::size_t most_points_{};         // of a table of damped reactions
   mutable std::mutex guard_;
+  mutable std::map<std::pair<int, SteadyPart>, std::shared_ptr<const DampedReactionTable>> damped_tables_;
   struct Known {
     data::Case problem;
     StickReaction reaction;
