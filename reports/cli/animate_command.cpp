@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <string>
 
 #include "case_options.hpp"
@@ -19,7 +20,7 @@ constexpr double periods = 10.0;  // unless --duration or --set gives a duration
 
 struct AnimateOptions {
   CaseOptions problem;
-  std::string method = studies::finite_elements().name;
+  std::optional<std::string> method;
   int frames = 200;
   std::string output = "frames";
 };
@@ -74,8 +75,10 @@ Answer animate(const AnimateOptions& options, Outputs& outputs) {
         fmt::format("at most one per time step of {} s, of which {} s have {}",
                     data::shortest_text(problem.numerics.time_step()), data::shortest_text(duration),
                     static_cast<long>(duration / problem.numerics.time_step() * (1.0 + 1e-12)) + 1));
-  const studies::Method& method = studies::method(options.method);
-  method.require(problem);
+  const studies::MethodChoice choice = studies::method_for(
+      problem,
+      {.method = options.method, .of_many_places = true, .of_elements = mesh_key_of(options.problem)});
+  const studies::Method& method = *choice.method;
   report::write_animation(problem, {.method = &method,
                                     .frames = options.frames,
                                     .from = from,
@@ -84,8 +87,8 @@ Answer animate(const AnimateOptions& options, Outputs& outputs) {
                                     .title = outputs.heading("Motion of the beam"),
                                     .quiet = outputs.is_quiet()});
   Answer answer;
+  add_method(answer, choice);
   answer.add_line(fmt::format("{} frames written to {}", options.frames, options.output));
-  answer.add_members({{"method", options.method}});
   add_excitation(answer, problem);
   answer.add_members(
       {{"from_s", from}, {"duration_s", duration}, {"frames", options.frames}, {"output", options.output}});
@@ -96,9 +99,11 @@ Answer animate(const AnimateOptions& options, Outputs& outputs) {
 void add_options(CLI::App& command, AnimateOptions& options) {
   add_case_options(command, options.problem);
   add_excitation_options(command, options.problem);
-  add_choice_option(command, "--method", options.method,
-                    {studies::event_driven().name, studies::finite_elements().name},
-                    "Finite elements with contact, or event by event in the modes of the continuous beam");
+  command
+      .add_option("--method", options.method,
+                  "Finite elements with contact, or event by event in the modes of the continuous beam "
+                  "(default: the first line of the answer says which and why)")
+      ->check(one_of({studies::event_driven().name, studies::finite_elements().name}));
   add_duration_option(command, options.problem,
                       "else ten periods of the highest frequency of the excitation; of a general motion, "
                       "around its first slip");

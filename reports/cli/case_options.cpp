@@ -80,6 +80,19 @@ data::Case load_case(const CaseOptions& options, const std::vector<data::Overrid
   return problem;
 }
 
+std::string mesh_key_of(const CaseOptions& options) {
+  for (const data::Override& given : overrides_of(options))
+    for (const char* const key : {"numerics.elements", "numerics.spectral_radius"})
+      if (data::state_the_same(given.key, key)) return key;
+  return "";
+}
+
+void add_method(Answer& answer, const studies::MethodChoice& choice) {
+  if (!choice.reason.empty()) answer.add_line(fmt::format("{}: {}", choice.method->name, choice.reason));
+  answer.add_members({{"method", choice.method->name},
+                      {"method_reason", choice.reason.empty() ? Json() : Json(choice.reason)}});
+}
+
 data::NumericalSettings numerics_up_to(double frequency_hz, const data::Case& problem) {
   return restated(problem, {{"excitation.frequency_hz", frequency_hz}}).numerics;
 }

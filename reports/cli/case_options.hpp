@@ -14,6 +14,7 @@
 #include "stickslip/analytic/stick_reaction.hpp"
 #include "stickslip/data/case_file.hpp"
 #include "studies/analyses/criterion_answer.hpp"
+#include "studies/analyses/method_choice.hpp"
 #include "studies/analyses/problem_warnings.hpp"
 #include "studies/analyses/squeal.hpp"
 #include "studies/common/problem_parameter.hpp"
@@ -47,6 +48,12 @@ void add_duration_option(CLI::App& command, CaseOptions& options,
 
 /// The case with those overrides and some more. Throws data::InputError, also for a contact that the command does not take.
 [[nodiscard]] data::Case load_case(const CaseOptions& options, const std::vector<data::Override>& more = {});
+
+/// The key of the mesh that --set gives and finite elements alone have, or "".
+[[nodiscard]] std::string mesh_key_of(const CaseOptions& options);
+
+/// Members, and a line unless --method names it: the method and why it was chosen.
+void add_method(Answer& answer, const studies::MethodChoice& choice);
 
 /// The settings of a case for excitations up to a frequency, which decides those that the case does not state.
 [[nodiscard]] data::NumericalSettings numerics_up_to(double frequency_hz, const data::Case& problem);

@@ -32,20 +32,6 @@ struct NvhOptions {
   std::string audio, figure;
 };
 
-// The given one, else event-driven unless that refuses the case.
-const studies::Method& method_for(const data::Case& problem, const NvhOptions& options) {
-  const auto& chosen = options.method ? studies::method(*options.method) : studies::event_driven();
-  try {
-    chosen.require(data::Feature::slip, "--method", chosen.name);
-    chosen.require(problem);
-  } catch (const data::FieldError&) {
-    if (options.method) throw;
-    return studies::finite_elements();
-  }
-  studies::require_held_growth(problem, chosen);
-  return chosen;
-}
-
 Value shown(double value) { return std::isfinite(value) ? rounded(value, 6) : Value{nullptr, "none"}; }
 Value shown(std::size_t number) { return count(number); }
 Value shown(const studies::Estimate& mean) {
@@ -74,10 +60,11 @@ std::string_view sound_of(const Runs& runs) {
   });
 }
 
-Answer readouts_answer(const Runs& runs, const NvhOptions& options) {
+Answer readouts_answer(const Runs& runs, const NvhOptions& options, const studies::MethodChoice& choice) {
   using studies::SlipReadouts;
   const SlipReadouts& first = runs.front();
   Answer answer(36);
+  add_method(answer, choice);
   answer.add_members({{"transient_s", options.readouts.transient},
                       {"percentiles", {95, 99}},
                       {"realisations", runs.size()},
@@ -121,7 +108,11 @@ Answer readouts_answer(const Runs& runs, const NvhOptions& options) {
 
 Answer nvh(const NvhOptions& options, Outputs& outputs) {
   const data::Case problem = load_case(options.problem);
-  const studies::Method& method = method_for(problem, options);
+  const studies::MethodChoice choice =
+      studies::method_for(problem, {.method = options.method,
+                                    .features = {data::Feature::slip},
+                                    .of_elements = mesh_key_of(options.problem)});
+  const studies::Method& method = *choice.method;
   const studies::Sampling sampling{.every = studies::readout_row_step(problem, options.readouts),
                                    .with_midspan = false};
   outputs.set_case(problem);
@@ -142,8 +133,8 @@ Answer nvh(const NvhOptions& options, Outputs& outputs) {
   const studies::History history = motion_of(problem);
   for (int i = 1; i < options.average; ++i)
     (void)motion_of(studies::realisation(problem, static_cast<std::uint64_t>(i)));
-  Answer answer = readouts_answer(runs, options);
-  answer.add_members({{"method", method.name}, {"duration_s", problem.numerics.duration()}});
+  Answer answer = readouts_answer(runs, options, choice);
+  answer.add_members({{"duration_s", problem.numerics.duration()}});
   answer.warnings = studies::warnings_after(problem, method, history);
   outputs.write("--audio", [&] { return studies::force_as_wav(history, options.readouts.transient); });
   outputs.draw(problem.name, [&](const report::Look& look) {
@@ -156,9 +147,7 @@ void add_options(CLI::App& command, NvhOptions& options) {
   add_case_options(command, options.problem);
   options.problem.rigid_for.clear();
   add_excitation_options(command, options.problem);
-  command
-      .add_option("--method", options.method,
-                  "As that of respond (default: event-driven where it takes the case, else fe)")
+  command.add_option("--method", options.method, "As that of respond")
       ->check(one_of(studies::method_names()));
   add_duration_option(command, options.problem);
   command.add_option("--transient", options.readouts.transient, "Time to leave out from the start, s")

@@ -17,16 +17,18 @@ namespace {
 
 struct RespondOptions {
   CaseOptions problem;
-  std::string method = studies::finite_elements().name;
+  std::optional<std::string> method;
   std::string initial_velocity = "quasi-static";
   std::optional<std::string> scheme;
   HistoryOptions history;
 };
 
-Answer respond_answer(const data::Case& problem, const RespondOptions& options, const studies::Method& method,
-                      const studies::History& history, const HistoryOutput& output) {
+Answer respond_answer(const data::Case& problem, const RespondOptions& options,
+                      const studies::MethodChoice& choice, const studies::History& history,
+                      const HistoryOutput& output) {
+  const studies::Method& method = *choice.method;
   Answer answer;
-  answer.add_members({{"method", method.name}});
+  add_method(answer, choice);
   add_excitation(answer, problem);
   answer.add_members({{"duration_s", problem.numerics.duration()},
                       {"output", options.history.output},
@@ -60,14 +62,15 @@ Answer respond_answer(const data::Case& problem, const RespondOptions& options, 
 
 Answer respond(const RespondOptions& options, Outputs& outputs) {
   const data::Case problem = load_case(options.problem);
-  const studies::Method& method = studies::method(options.method);
-  solver::RunOptions run{.starts_with_the_base = options.initial_velocity == "zero"};
+  studies::MotionRequest request{.method = options.method,
+                                 .run = {.starts_with_the_base = options.initial_velocity == "zero"},
+                                 .of_elements = options.scheme ? "--scheme" : mesh_key_of(options.problem)};
+  solver::RunOptions& run = request.run;
   if (options.scheme) run.scheme = studies::contact_schemes().at(*options.scheme);
-  if (!options.history.columns.empty())
-    method.require(data::Feature::further_columns, "--method", method.name);
-  if (!options.history.events.empty()) method.require(data::Feature::slip, "--method", method.name);
-  method.require(problem, run);
-  studies::require_held_growth(problem, method);
+  if (!options.history.columns.empty()) request.features.insert(data::Feature::further_columns);
+  if (!options.history.events.empty()) request.features.insert(data::Feature::slip);
+  const studies::MethodChoice choice = studies::method_for(problem, request);
+  const studies::Method& method = *choice.method;
   outputs.set_case(problem);
   HistoryOutput output(problem, options.history, !method.follows_slip(), outputs);
   outputs.on_interrupt([&] {
@@ -87,7 +90,7 @@ Answer respond(const RespondOptions& options, Outputs& outputs) {
   const auto history =
       method.run(problem, sampling, run, [&](const studies::HistoryRow& row) { output.add(row, step); });
   output.finish(history);
-  Answer answer = respond_answer(problem, options, method, history, output);
+  Answer answer = respond_answer(problem, options, choice, history, output);
   answer.warnings = studies::warnings_after(problem, method, history, run);
   add_warning(answer, studies::row_warning(problem, method, step, output.row_step()));
   if (options.scheme && *options.scheme != "located")
@@ -130,9 +133,9 @@ void add_options(CLI::App& command, RespondOptions& options) {
       .add_option("--method", options.method,
                   "Finite elements with contact, event by event in the modes of the continuous beam, the "
                   "boundary integral of the tip (all modes, no mesh; the one that converges without "
-                  "damping), or the closed form of the stick state")
-      ->check(one_of(studies::method_names()))
-      ->capture_default_str();
+                  "damping), or the closed form of the stick state (default: the first line of the answer "
+                  "says which and why)")
+      ->check(one_of(studies::method_names()));
   add_choice_option(command, "--initial-velocity", options.initial_velocity, {"quasi-static", "zero"},
                     "u_t(x,0): S(x) h_t(0), or the zero of the paper's text (an impulsive start)");
   command

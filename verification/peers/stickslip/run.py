@@ -39,7 +39,8 @@ with open(f"{folder}/result.csv", "w", newline="") as file:
             run = subprocess.run(command, check=True, stdout=subprocess.PIPE)
             out.writerows((beam, i, f) for i, f in enumerate(json.loads(run.stdout)["frequencies_hz"], 1))
         sys.exit()
-    command = [program, "respond", *CASES.get(problem, ("damped",)), *options, "--every", "1", "--quiet",
+    method = () if "--method" in options else ("--method", "fe")
+    command = [program, "respond", *CASES.get(problem, ("damped",)), *method, *options, "--every", "1", "--quiet",
                "--output", f"{folder}/all.csv", "--events", f"{folder}/changes.csv"]
     subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
     per_second, number = SAMPLES.get(problem, (5000, 2500))

@@ -55,6 +55,10 @@ const std::string elements_only = "fe where --scheme is given";
 void require_nothing(const data::Case&) {}
 
 void require_start_and_steps(const data::Case& problem) {
+  // Of a law that jumps no step has one solution, however short it is.
+  analytic::require_unique_step({problem.normal_force(), problem.contact.friction, problem.contact.compliance,
+                                 problem.numerics.time_step()},
+                                0.0);
   if (problem.is_damped() && problem.is_random())
     throw data::FieldError("damping.kelvin_voigt", problem.damping.kelvin_voigt(),
                            "0 with the boundary integral under a spectrum: the response of a damped beam "

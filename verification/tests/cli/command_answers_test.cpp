@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// What the commands answer: their JSON against their files, options with each method, and digits that are true.
 
+#include <array>
+
 #include "answer.hpp"
 #include "case_options.hpp"
 #include "stickslip/analytic/amplitude_spectrum.hpp"
@@ -74,6 +76,38 @@ TEST_F(Answers, RespondSaysWhatItsFilesHold) {
       EXPECT_EQ(answer.contains(key), method.name == "boundary-integral");
   }
   EXPECT_TRUE(json("respond --amplitude 1e-4 --duration 0.02 --output h.csv")["first_slip_s"].is_null());
+}
+
+TEST_F(Answers, RespondChoosesItsMethod) {
+  const std::string slips = "paper --hz 25 --amplitude 1e-3 --duration ",
+                    stiff = "numerics.modes=40 --duration ";
+  for (const auto& [line, method, reason] : std::vector<std::array<std::string, 3>>{
+           {"damped --duration 0.1", "event-driven", "with damping"},
+           {"rough-road --duration 0.1", "event-driven", "with damping"},
+           {"paper --hz 35 --amplitude 1e-4 --duration 1", "event-driven", "the contact holds"},
+           {slips + "0.0605", "boundary-integral", "has all modes"},
+           {slips + "0.0605 --columns base-reaction", "fe",
+            "boundary-integral refuses: --method is boundary-integral, but must be "},
+           {slips + "0.0605 --initial-velocity zero", "fe",
+            "boundary-integral refuses: --initial-velocity is zero, but must be "},
+           {slips + "2.5", "fe", "boundary-integral would take about 11 s"},
+           {slips + "0.0605 --set friction.decay=inf", "fe",
+            "boundary-integral refuses: friction.decay is inf, but must be "},
+           {slips + "0.0605 --set beam.shear_stiffness=1e7", "fe", "refuses: beam.shear_stiffness is "},
+           {"damped --set contact.tangential_stiffness=1e6 --duration 0.01", "fe",
+            "event-driven refuses: contact.tangential_stiffness is 1e+06, but must be inf"},
+           {"hong-liu-1", "event-driven", "exact in its modes"},
+           {"solid-cantilever --duration 0.01", "event-driven", "with damping"},
+           {"damped --scheme located --duration 0.01", "fe", "--scheme is given"},
+           {"damped --set numerics.elements=10 --duration 0.01", "fe", "numerics.elements is given"},
+           {"damped --set " + stiff + "0.1", "fe", "times as long with 40 modes"},
+           {"damped --amplitude 1e-4 --set " + stiff + "0.1", "event-driven", "the contact holds"}}) {
+    const auto answer = json("respond " + line + " --output h.csv");
+    EXPECT_EQ(answer["method"], method) << line;
+    EXPECT_TRUE(holds(answer["method_reason"].get<std::string>(), reason)) << answer["method_reason"];
+  }
+  EXPECT_TRUE(json("respond damped --duration 0.01 --method fe --output h.csv")["method_reason"].is_null());
+  EXPECT_TRUE(holds(run_line("respond damped --duration 0.01 --output h.csv").output, "\nevent-driven: "));
 }
 
 // At rest in space of the base, u_t(x, 0) = 0, the beam first moves with the base: y(L/2) = h; else with P = 0 by 11/16 of it. After

@@ -158,6 +158,9 @@ TEST_F(HistoryFiles, DrawAndFilmTheFirstSlip) {
 
   install_gnuplot(draw_all);
   const auto film = nlohmann::json::parse(run("animate" + road + "--frames 3 --output film").output);
+  EXPECT_EQ(film["method"], "event-driven");
+  EXPECT_TRUE(holds(run("animate --hz 25 --amplitude 1e-3 --duration 0.1 --frames 3 --output beam").output,
+                    "\nfe: "));
   const Rows rows = rows_in("film/motion.csv");
   const double from = film["from_s"], length = film["duration_s"];
   EXPECT_NEAR(from + 0.5 * length, first, 1e-9);

@@ -78,7 +78,7 @@ endif()
 
 run(numbers ${scratch}/build/consumer ${my_beam})
 run(criterion ${stickslip} criterion ${my_beam} --json)
-run(history ${stickslip} respond ${my_beam} --duration 1e-3)
+run(history ${stickslip} respond ${my_beam} --method fe --duration 1e-3)
 only_match(theirs "critical amplitude / m: ([^\n]*)" "${numbers}")
 only_match(ours "\"critical_amplitude_m\": ([^,\n]*)" "${criterion}")
 expect_equal("the critical amplitude" "${ours}" "${theirs}")
