@@ -95,4 +95,5 @@ def main():
     results.write_text(json.dumps(speed, indent=1) + "\n")
 
 
-main()
+if __name__ == "__main__":
+    main()

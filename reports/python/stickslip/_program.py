@@ -51,7 +51,7 @@ COMMANDS = {
     """,
     "respond": """A motion in time: `columns` has `time_s`, `tip_displacement_m`, `friction_force_N` and more as arrays; `duration` in s.
 
-    >>> run = stickslip.respond("damped", duration=0.02, method="event-driven")
+    >>> run = stickslip.respond("damped", duration=0.02)
     >>> round(float(max(run["columns"]["time_s"])), 6)
     0.02
     """,
