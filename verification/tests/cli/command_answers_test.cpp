@@ -91,7 +91,7 @@ TEST_F(Answers, RespondChoosesItsMethod) {
            {slips + "0.06 --set friction.decay=inf", "fe", "integral refuses: friction.decay is inf, "},
            {"damped --set contact.tangential_stiffness=1e6", "fe",
             "refuses: contact.tangential_stiffness is "},
-           {"damped --scheme located", "fe", "--scheme is given"},
+           {"damped --scheme located", "fe", "--scheme is given, which"},
            {"damped --set numerics.elements=10", "fe", "numerics.elements is given"},
            {stiff, "fe", "times as long with 40 modes"},
            {stiff + "--amplitude 1e-4", "event-driven", "the contact holds"}}) {
