@@ -1157,7 +1157,7 @@ TEST_F(Warnings, AreOneLineEachAndInJson) {
         {"criterion", "next to natural frequency 1"},
         {"respond --method closed-form --hz 25 --amplitude 1e-3 --duration 0.1" + output,
          "|f| exceeds mu_s P = 300 N first at 0.0553 s"},
-        {"respond --hz 15 --duration 0.1 --set numerics.time_step=5e-3" + output,
+        {"respond --method fe --hz 15 --duration 0.1 --set numerics.time_step=5e-3" + output,
          "numerics.time_step is 0.005 s"},
         {"respond --set beam.axial_force=84000 --duration 0.002" + output, "the sliding beam flutters"},
         {"respond --method event-driven --set beam.axial_force=84000 --duration 0.002" + output, "flutters"},
