@@ -111,7 +111,7 @@ void add_quiet_option(CLI::App& app);
 /// --threads N, which sets studies::thread_count().
 void add_threads_option(CLI::App& command);
 
-/// The option --figure, and --size and --title.
+/// The option --figure, and --size, --font and --title.
 void add_figure_option(CLI::App& command, std::string& figure, const std::string& what = "Figure to draw");
 
 }  // namespace stickslip::cli

@@ -63,6 +63,7 @@ Outputs::Outputs(const CLI::App& command)
       head_{{"program", program()}, {"command", command_line()}} {
   for (const CLI::App* app = &command; app != nullptr; app = app->get_parent())
     is_quiet_ = is_quiet_ || has_flag(*app, "--quiet");
+  look_.font = option_text(command, "--font").value_or("");
   look_.title = option_text(command, "--title").value_or("");
   if (const auto size = option_text(command, "--size")) look_.size_cm = size_in(*size);
 }

@@ -7,12 +7,9 @@ set datafile separator comma
 set datafile columnheaders
 load 'values.gp'
 count = int(quantities)
-left = 2.2
-panel = count > 1 ? 6.6 : 11.8
-gap = 2.4
-width = left + count * panel + (count - 1) * gap + 0.5
+columns = count
+width = count > 1 ? 0.3 + 9.0 * count : 14.5
 height = 11
-own_width = width
 load 'style.gp'
 label_file = folder.'comparison-labels.csv'
 array labels[count + 1]
@@ -20,25 +17,38 @@ do for [i = 0:count] {
   stats label_file every ::i::i using (text = strcol(1), 0) name 'row' nooutput
   labels[i + 1] = text
 }
+panel_width = (width - em) / count - 9 * em
+top_rows = rows_of(2, 9, panel_width)
+bottom_rows = rows_of(2, 10, panel_width)
+eval panels
+array differences[count]
+left = 0
+do for [i = 1:count] {
+  differences[i] = fitted('difference'.(strstrt(labels[i + 1], ' / ') ? labels[i + 1][strstrt(labels[i + 1], ' / '):*] : ''), room)
+  labels[i + 1] = fitted(labels[i + 1], room)
+  if (margin_of(labels[i + 1], differences[i]) > left) { left = margin_of(labels[i + 1], differences[i]) }
+}
+left = left + across(1)
+share = (1 - across(1)) / count
 set multiplot title heading noenhanced
 unset title
 do for [i = 1:count] {
   file = sprintf('%scomparison-%d.csv', folder, i)
-  set lmargin at screen (left + (i - 1) * (panel + gap)) / own_width
-  set rmargin at screen (left + (i - 1) * (panel + gap) + panel) / own_width
+  set lmargin at screen (i - 1) * share + left
+  set rmargin at screen i * share
   set xrange [*:*] noextend
   stats file using 1 name 'x' nooutput
   spread = x_max > x_min ? x_max - x_min : 1.0
-  if (!strstrt(labels[1], ' / ') && spread <= 12) { set xtics 1 }  # they are counted
+  if (!strstrt(labels[1], ' / ') && spread <= 12) { set xtics round_step(spread * 2 * em / panel_width) }  # they are counted
   set xrange [x_min - 0.03 * spread:x_max + 0.03 * spread]
 
   set offsets 0, 0, graph 0.05, graph 0.05
-  set tmargin at screen 0.93 - title_share
-  set bmargin at screen 0.50
+  eval upper
+  eval upper_key
   unset xlabel
-  set format x ''
-  set ylabel labels[i + 1]
-  set key at screen 0.5, 0.985 - title_share center top horizontal maxrows 1
+  set ylabel labels[i + 1] offset outwards(labels[i + 1])
+  stats file using 2 name 'theirs' nooutput
+  set ytics y_step(theirs_max - theirs_min, panel)
   if (i > 1) { unset key }
   if (smooth) {
     plot file using 1:($3 - $4):($3 + $4) with filledcurves fillcolor rgb grey fillstyle transparent solid 0.4 noborder \
@@ -50,12 +60,12 @@ do for [i = 1:count] {
          '' using 1:2 with points linecolor rgb vermillion pointtype 7 pointsize 0.4 title 'yours'
   }
 
-  set tmargin at screen 0.46
-  set bmargin at screen 0.17
+  eval lower
+  eval lower_key
   set xlabel labels[1]
-  set format x '%g'
-  set ylabel 'difference'.(strstrt(labels[i + 1], ' / ') ? labels[i + 1][strstrt(labels[i + 1], ' / '):*] : '')
-  set key at screen 0.5, 0.01 center bottom horizontal maxrows 1
+  set ylabel differences[i] offset outwards(differences[i])
+  stats file using ($5 > abs($2 - $3) ? $5 : abs($2 - $3)) name 'error' nooutput
+  set ytics y_step(2 * error_max, panel)
   if (i < count) { unset key }
   if (smooth) {
     plot file using 1:(-$5):5 with filledcurves fillcolor rgb blue fillstyle transparent solid 0.18 noborder \

@@ -38,7 +38,7 @@ if (buckled_min == 0) {
   set table $cells
   plot file using (x_of($1)):(y_of($2)):(ratio(strcol(3))) with table
   unset table
-  cells = '$cells using 1:2:3 with image'
+  cells = '$cells using 1:2:3 with image'.(format eq 'tex' && buckled_max > 0 ? ' pixels' : '')  # TikZ takes no NaN in an image
   if (!quantity) { if (!states_only && |$limit| > 4) { limit = '$limit using 1:2' } }  # there are four lines of comment where there is no contour
 }
 set datafile separator whitespace
@@ -61,30 +61,33 @@ do for [axis in 'x y'] {
 set format xy '%g'
 set tics out
 unset grid
-set xlabel x_label
-set ylabel y_label
+set xlabel fitted(x_label, 0.7 * width)
+set ylabel fitted(y_label, 0.7 * height)
 set xrange [axis_min_x:axis_max_x]
 set yrange [axis_min_y:axis_max_y]
 if (quantity) {
   set palette defined (0 '#440154', 1 '#3B528B', 2 '#21918C', 3 '#5EC962', 4 '#FDE725')
   set cbrange [*:*]
+  set format cb '%.3g'
   if (cells ne 'NaN') { if (shown_min == shown_max) { set cbrange [shown_min - 1:shown_max + 1] } }
-  set cblabel quantity_label offset -0.5
+  set cblabel fitted(quantity_label, 0.7 * height)
 } else {
   eval ratio_palette
   set cbrange [-log10(30):log10(30)]
   set cbtics ('≤ 1/30' -log10(30), '1/10' -1, '1/3' -log10(3), '1' 0, '3' log10(3), '10' 1, '≥ 30' log10(30))
-  set cblabel '|f_{max}| / (μ_sP)' offset -0.5
+  set cblabel '|f_{max}| / (μ_sP)'
 }
 set key above horizontal center samplen 3
-set margins screen 0.105, screen 0.83, screen 0.125, screen 0.90 - title_share
-if (states_only) { unset colorbox; set rmargin at screen 0.97 }
+set rmargin at screen 1 - across(9.5)
+set colorbox user origin graph 1.03, graph 0 size screen across(1), graph 1
+if (states_only) { unset colorbox; set rmargin -1 }
 set object 1 rectangle from graph 0, graph 0 to graph 1, graph 1 behind fillcolor rgb grey \
     fillstyle pattern 4 noborder
-limit_title = limit eq 'NaN' ? '' : '|f_{max}| = μ_sP'
-buckled_title = quantity ? 'not converged, or no stick state' : 'no stick state (buckled)'
-plot @cells notitle, \
-     @limit with lines linecolor rgb black linewidth 1.2 title limit_title, \
-     for [i = 1:states_only] keyentry with boxes linecolor rgb '#2171B5' fillstyle solid title 'stick', \
-     for [i = 1:states_only] keyentry with boxes linecolor rgb '#FDCB75' fillstyle solid title 'stick-slip', \
-     for [i = 1:buckled_max] keyentry with boxes linecolor rgb grey fillstyle pattern 4 title buckled_title
+buckled_title = quantity ? 'no value' : 'no stick state'
+# The key leaves room for the title of an empty iteration, so that the command is put together.
+curves = 'plot '.cells.' notitle'
+if (limit ne 'NaN') { curves = curves.', '.limit." with lines linecolor rgb black linewidth 1.2 title '|f_{max}| = μ_sP'" }
+if (states_only) { curves = curves.", keyentry with boxes linecolor rgb '#2171B5' fillstyle solid title 'stick', \
+    keyentry with boxes linecolor rgb '#FDCB75' fillstyle solid title 'stick-slip'" }
+if (buckled_max > 0) { curves = curves.", keyentry with boxes linecolor rgb grey fillstyle pattern 4 title buckled_title" }
+eval curves

@@ -10,6 +10,6 @@ set xlabel 'x / m'
 set ylabel 'deflection'
 set xrange [*:*] noextend
 set yrange [-1.1:1.1]
-set key outside right top samplen 4
+set key above horizontal center samplen 4
 plot for [n = 1:count] file using 1:n + 1 with lines linewidth 1.5 linecolor rgb colours[1 + (n - 1) % 4] \
     dashtype 1 + (n - 1) % 5 title columnheader(n + 1)

@@ -3,24 +3,24 @@
 # time between these (E-line diagram).
 width = 22
 height = 10
-left = 0.085
-right = 0.64
+columns = 2
 load 'history.gp'
-if (width < 22 || height < 9.5) { printerr 'difficulty fitting plot titles into key' }  # as gnuplot says, not always
 windows = folder.'history-windows.csv'
-set lmargin at screen 0.735
-set rmargin at screen 0.98
-set tmargin at screen 0.92 - title_share
-set bmargin at screen 0.17
-set xlabel 'time between slips / s'
-set ylabel 'peak to peak, tip on wall / mm'
+eval upper
+eval lower
+top_rows = 2
+set tmargin at screen 1 - title_share - up(0.8 + 1.2 * top_rows)
+set lmargin at screen right + across(6)
+set rmargin at screen 1 - across(1.5)
+set xlabel fitted('time between slips / s', (1 - right) * width - 4.5 * em)
+set ylabel fitted('peak to peak, tip on wall / mm', 2 * panel)
 highest = longest > 0 ? 1.2 * longest : 1
 set xrange [0:highest]
-power = 10.0**floor(log10(0.25 * highest))
-step = (highest > 20 * power ? 10 : highest > 8 * power ? 5 : highest > 4 * power ? 2 : 1) * power
-set xtics step  # four at most
+set xtics x_step(highest, (1 - right) * width - 7.5 * em)
 set yrange [0:widest > 0 ? 1.2e3 * widest : 1]
-set key at screen 0.8575, 0.985 - title_share center top horizontal maxrows 1
+set ytics y_step(1.2e3 * widest, 2 * panel)
+key_place = 0.5 * (right + 1) + 0.5 * across(4.5)
+eval upper_key
 if (longest == 0) { set label 'no slips' at graph 0.5, 0.5 center }
 plot windows using ($2 > 0 ? window / $2 : NaN):($3 * 1e3) with points pointtype 6 pointsize 0.8 linecolor rgb blue title 'windows', \
      '' using ($4 > 0 && $2 > 0 ? window / $2 : NaN):($3 * 1e3) with points pointtype 7 pointsize 0.8 linecolor rgb vermillion title 'at left'

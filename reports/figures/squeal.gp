@@ -20,19 +20,19 @@ unset table
 set datafile separator whitespace
 unset datafile columnheaders
 set xlabel 'speed of the wall / (m/s)'
-set ylabel 'damping ratio ζ' offset 1
+set ylabel 'damping ratio ζ'
 set xrange [*:*] noextend
 set yrange [*:*] noextend
-set key above horizontal center samplen 3 maxrows 1
-set margins screen 0.12, screen 0.97, screen 0.125, screen 0.89 - title_share
+set key above horizontal center samplen 3
 unset grid
 set tics out
 unset colorbox
 set cbrange [0:1]
 eval sprintf("set palette defined (0 '%s', 1 '%s')", stick_fill, slip_fill)
 limit = |$limit| > 4 ? '$limit using 1:2' : 'NaN'  # there are four lines of comment where there is no contour
-limit_title = limit eq 'NaN' ? '' : 'limit of stability'
-plot $cells using 1:2:3 with image notitle, \
-     @limit with lines linecolor rgb black linewidth 1.2 title limit_title, \
-     for [i = squeal_min:0] keyentry with boxes linecolor rgb stick_fill fillstyle solid title 'steady', \
-     for [i = 1:squeal_max] keyentry with boxes linecolor rgb slip_fill fillstyle solid title 'squeal'
+# The key leaves room for the title of an empty iteration, so that the command is put together.
+curves = 'plot $cells using 1:2:3 with image notitle'
+if (limit ne 'NaN') { curves = curves.', '.limit." with lines linecolor rgb black linewidth 1.2 title 'limit of stability'" }
+if (squeal_min == 0) { curves = curves.", keyentry with boxes linecolor rgb stick_fill fillstyle solid title 'steady'" }
+if (squeal_max == 1) { curves = curves.", keyentry with boxes linecolor rgb slip_fill fillstyle solid title 'squeal'" }
+eval curves

@@ -3,17 +3,61 @@
 #
 # A figure sets width and height (cm) and loads this file. From the command line come
 #   folder  where its CSV files are, with a slash at the end
-#   format  'pdf', 'png' or 'svg'; of animation.gp 'gif', a film
+#   format  'pdf', 'png', 'svg' or 'tex' (TikZ); of animation.gp 'gif', a film
 #   output  the file to write
-#   heading, chosen_width, chosen_height  a title, and a size (cm) instead of the figure's own, if there are any
+#   heading, chosen_width, chosen_height, chosen_font  a title, and a size (cm) and a font ('Times,9') instead of the figure's own, if
+#           there are any
 # as in
 #   gnuplot -e "folder='build/reports/'; format='pdf'; output='refinement.pdf'" refinement.gp
 
 if (exists('chosen_width')) { width = chosen_width; height = chosen_height }
 if (!exists('heading')) { heading = '' }
 if (heading ne '') { set title heading noenhanced }
-title_share = heading eq '' ? 0 : 0.6 / height  # of the height, for figures with margins of their own
-typeface = 'DejaVu Sans,8.8'  # in points as printed, and the one size; indices and exponents have 7
+# In points as printed, and one size; indices and exponents have 0.8 of it.
+if (!exists('columns')) { columns = 1 }  # of panels
+font_size = exists('chosen_width') && (width / columns < 11 || height < 8) ? 7.2 : 8.8
+font_name = 'DejaVu Sans'
+if (exists('chosen_font')) {
+  font_name = chosen_font[1:strstrt(chosen_font, ',') - 1]
+  font_size = real(chosen_font[strstrt(chosen_font, ',') + 1:*])
+}
+typeface = sprintf('%s,%.4g', font_name, font_size)
+em = font_size * 2.54 / 72  # cm
+# Margins of a figure's own, in parts of its size by the size of its letters.
+across(letters) = letters * em / width
+up(letters) = letters * em / height
+title_share = heading eq '' ? 0 : up(2)
+# A label in as many lines as the room (cm) asks for. A word that is longer than that makes the figure `unfit`.
+length_of(text) = 0.56 * em * strlen(text)
+part(text, k) = word(text, k) eq '/' ? '/ '.word(text, k + 1) : word(text, k)
+after(text, k) = word(text, k) eq '/' ? k + 2 : k + 1
+fits(text, room) = (unfit = unfit || length_of(text) > room, text)
+wrapped(lines, line, text, k, room) = k > words(text) ? lines.fits(line, room) : \
+    length_of(line.' '.part(text, k)) <= room ? wrapped(lines, line.' '.part(text, k), text, after(text, k), room) : \
+    wrapped(lines.fits(line, room)."\n", part(text, k), text, after(text, k), room)
+fitted(text, room) = wrapped('', word(text, 1), text, 2, room)
+breaks(text) = strstrt(text, "\n") ? 1 + breaks(text[strstrt(text, "\n") + 1:*]) : 0
+outwards(label) = -2 * breaks(label)  # offset of a label with more lines
+# The left margin of two panels with these labels of their y axes.
+margin_of(one, other) = across(6.5 + 1.3 * (breaks(one) > breaks(other) ? breaks(one) : breaks(other)))
+unfit = 0
+# A step of tics of 1, 2 or 5 that leaves room for their labels.
+decade(x) = 10.0**floor(log10(x))
+round_step(x) = x <= decade(x) ? decade(x) : x <= 2 * decade(x) ? 2 * decade(x) : x <= 5 * decade(x) ? 5 * decade(x) : 10 * decade(x)
+x_step(range, room) = range > 0 ? round_step(range * 4.5 * em / room) : 1
+y_step(range, room) = range > 0 ? round_step(range * 1.6 * em / room) : 1
+# The rows of a legend of so many titles, the longest of so many letters, over a panel (cm), as gnuplot lays them out.
+title_of(longest) = (longest + 3.5) * 0.64 * em
+rows_of(titles, longest, wide) = wide < 2 * title_of(longest) ? titles : ceil(1.0 * titles / floor(wide / title_of(longest)))
+# Two panels, one on the other, with a legend above and below. To be set first: the rows of these.
+panels = "above = title_share + up(0.8 + 1.2 * top_rows); below = up(4.2 + 1.2 * bottom_rows); middle = 0.5 * (1 - above + below); \
+    panel = (1 - above - middle) * height - 0.55 * em; room = panel + 0.6 * em"  # of its label
+upper = "set bmargin at screen middle + up(0.55); set tmargin at screen 1 - above; set format x ''"
+lower = "set tmargin at screen middle - up(0.55); set bmargin at screen below; set format x '%g'"
+key_place = 0.5
+upper_key = "set key at screen key_place, 1 - title_share - up(0.3) center top horizontal samplen 1.5 width -0.4 maxrows top_rows"
+lower_key = "set key at screen key_place, up(0.3) center bottom horizontal samplen 1.5 width -0.4 maxrows bottom_rows"
+key_place = 0.5
 if (format eq 'pdf') {
   # This terminal, too, takes fonts at 96 dots per inch and not at 72.
   # Its lines are half as wide as those of the others.
@@ -31,6 +75,10 @@ if (format eq 'png') {
   font_magnification = dots_per_cm * 2.54 / 96.0  # this terminal takes fonts at 96 dots per inch
   set terminal pngcairo enhanced color font typeface fontscale font_magnification \
       linewidth magnification pointscale magnification size width * dots_per_cm, height * dots_per_cm
+}
+if (format eq 'tex') {  # to be read by \input, with gnuplot-lua-tikz.sty
+  eval sprintf("set terminal tikz size %g,%g charsize %g,%g font '\\fontsize{%g}{%g}\\selectfont'", \
+               width, height, 0.64 * em, 1.3 * em, font_size, 1.2 * font_size)
 }
 if (format eq 'gif') {  # 25 frames a second, again and again
   set terminal gif animate delay 4 loop 0 optimize enhanced font typeface fontscale 2.2 linewidth 2.2 \
@@ -68,3 +116,4 @@ set grid linecolor rgb '#DDDDDD' linewidth 0.5 linetype 1
 set key reverse Left samplen 2 spacing 1.2
 set title offset 0, -0.6
 set minussign
+if (format eq 'tex') { set format '%g' }  # its own has the dollars of TeX

@@ -16,8 +16,10 @@ set ylabel 'samples'
 set boxwidth bin
 set style fill solid 0.8 noborder
 set arrow 1 from 1, graph 0 to 1, graph 1 nohead linestyle 3 front
-set label 1 'slips ' at 1, graph 0.94 right
-set label 2 ' sticks' at 1, graph 0.94 left
+set label 1 'slips ' at 1, graph 1.0 right offset 0, 0.7
+set label 2 ' sticks' at 1, graph 1.0 left offset 0, 0.7
+set tmargin 4
+set title offset 0, 0.5
 unset key
 plot file using (middle($1)):($1 < 1 ? 1 : NaN) smooth frequency with boxes linecolor rgb vermillion, \
      file using (middle($1)):($1 >= 1 ? 1 : NaN) smooth frequency with boxes linecolor rgb blue

@@ -4,7 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
+#include <cmath>
 #include <cstddef>
+#include <sstream>
+#include <string_view>
 #include <system_error>
 
 #include "render/external_tool.hpp"
@@ -19,8 +23,22 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr std::string_view too_small = "the figure is too small";
+
+// Run after the script of a figure: its labels fit into their room, and the last panel has a size.
+const std::string refuse_misfit = fmt::format(
+    "area(from, to, size) = (to - from) * GPVAL_TERM_SCALE / size; "
+    "if (unfit || area(GPVAL_TERM_XMIN, GPVAL_TERM_XMAX, GPVAL_TERM_XSIZE) < across(8) || "
+    "area(GPVAL_TERM_YMIN, GPVAL_TERM_YMAX, GPVAL_TERM_YSIZE) < up(3.5)) {{ printerr '{}' }}",
+    too_small);
+
+// What does not fit into the size of the figure.
+struct Misfit : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 // gnuplot may report an error and yet leave a drawing behind, or say nothing and leave none.
-void require_success(int status, const Look& look, const fs::path& drawing, const fs::path& log) {
+void require_success(int status, const fs::path& drawing, const fs::path& log) {
   std::error_code error;
   const bool drawn = fs::exists(drawing, error) && fs::file_size(drawing, error) > 0;
   std::string words = data::read_text(log);
@@ -28,12 +46,59 @@ void require_success(int status, const Look& look, const fs::path& drawing, cons
   if (words.ends_with(" frames in animation sequence\n") && std::ranges::count(words, '\n') == 1)
     words.clear();
   if (status == 0 && drawn && words.empty()) return;
-  if (look.size_cm && words.find("plot titles into key") != std::string::npos)
-    throw data::FieldError("--size", fmt::format("{}x{}", look.size_cm->first, look.size_cm->second),
-                           "so large that the legend fits into the figure");
+  if (words.find("plot titles into key") != std::string::npos || words == std::string(too_small) + "\n")
+    throw Misfit(fmt::format("{} is too small for its labels", drawing.filename().string()));
   throw std::runtime_error(
       fmt::format("gnuplot could not draw {}: {}", drawing.filename().string(),
                   words.empty() ? fmt::format("it ended with status {} and said nothing", status) : words));
+}
+
+// A text of gnuplot as TeX: indices and exponents where it is `enhanced`, and the letters that TeX does not take as they are.
+std::string tex_text(std::string_view text, bool enhanced) {
+  static const std::vector<std::pair<std::string_view, std::string_view>> letters{
+      {"%", "\\%"},       {"&", "\\&"},      {"#", "\\#"},       {"$", "\\$"},
+      {"_", "\\_"},       {"{", "\\{"},      {"}", "\\}"},       {"\\", "\\textbackslash{}"},
+      {"^", "\\^{}"},     {"~", "\\~{}"},    {"|", "$|$"},       {"<", "$<$"},
+      {">", "$>$"},       {"−", "$-$"},      {"±", "$\\pm$"},    {"≤", "$\\leq$"},
+      {"≥", "$\\geq$"},   {"·", "$\\cdot$"}, {"μ", "$\\mu$"},    {"ω", "$\\omega$"},
+      {"Ω", "$\\Omega$"}, {"ζ", "$\\zeta$"}, {"α", "$\\alpha$"}, {"ρ", "$\\rho$"}};
+  std::string tex;
+  while (!text.empty()) {
+    if (enhanced && (text[0] == '_' || text[0] == '^') && text.size() > 1) {
+      const bool group = text[1] == '{';
+      const std::size_t end = group ? std::min(text.find('}'), text.size() - 1) : 1;
+      tex += fmt::format("\\text{}script{{{}}}", text[0] == '_' ? "sub" : "super",
+                         tex_text(group ? text.substr(2, end - 2) : text.substr(1, 1), true));
+      text.remove_prefix(end + 1);
+      continue;
+    }
+    const auto letter =
+        std::ranges::find_if(letters, [&](const auto& of) { return text.starts_with(of.first); });
+    tex += letter == letters.end() ? text.substr(0, 1) : letter->second;
+    text.remove_prefix(letter == letters.end() ? 1 : letter->first.size());
+  }
+  return tex;
+}
+
+// gnuplot writes texts as they are, and when it wrote them.
+void write_tex(const fs::path& drawing, const std::string& title) {
+  std::istringstream lines(data::read_text(drawing));
+  std::string text =
+      "% A picture to be read by \\input. The preamble needs \\usepackage{gnuplot-lua-tikz}.\n";
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("%% ")) continue;
+    const std::size_t begin = line.find(") {");
+    if (line.starts_with("\\node[") && begin != std::string::npos && line.ends_with("};")) {
+      const std::string words = line.substr(begin + 3, line.size() - begin - 5);
+      const bool is_negative =
+          words.size() > 1 && words[0] == '-' && std::isdigit(static_cast<unsigned char>(words[1])) != 0;
+      line.replace(
+          begin + 3, words.size(),
+          (is_negative ? "$-$" : "") + tex_text(is_negative ? words.substr(1) : words, words != title));
+    }
+    text += line + "\n";
+  }
+  data::write_text(drawing, text);
 }
 
 // Blanks out when a PDF was made, in place, so that the same data make the same bytes.
@@ -50,9 +115,10 @@ void remove_date(const fs::path& pdf) {
 
 std::string figure_format(const std::string& figure) {
   const std::string extension = std::filesystem::path(figure).extension().string();
-  if (extension == ".pdf" || extension == ".png" || extension == ".svg") return extension.substr(1);
+  if (extension == ".pdf" || extension == ".png" || extension == ".svg" || extension == ".tex")
+    return extension.substr(1);
   throw data::FieldError("--figure", fmt::format("'{}'", data::printable(figure)),
-                         "a file whose name ends in .pdf, .png or .svg");
+                         "a file whose name ends in .pdf, .png, .svg or .tex");
 }
 
 CsvTable values_table(const std::vector<FigureData::Value>& values) {
@@ -65,8 +131,10 @@ CsvTable values_table(const std::vector<FigureData::Value>& values) {
   return table;
 }
 
-std::vector<fs::path> draw_in_scratch(const std::string& script, const Look& look, const std::string& tables,
-                                      const std::vector<std::string>& drawings, OutputFolder& output) {
+namespace {
+
+std::vector<fs::path> try_to_draw(const std::string& script, const Look& look, const std::string& tables,
+                                  const std::vector<std::string>& drawings, OutputFolder& output) {
   const fs::path folder = output.scratch() / "figures";
   if (!fs::exists(folder)) fs::copy(templates_directory() / "figures", folder);
   const fs::path log = folder / (drawings.front() + ".log");
@@ -77,14 +145,44 @@ std::vector<fs::path> draw_in_scratch(const std::string& script, const Look& loo
   if (look.size_cm)
     definitions +=
         fmt::format("; chosen_width={}; chosen_height={}", look.size_cm->first, look.size_cm->second);
-  const int status = run_tool("gnuplot", {"-d", "-e", definitions, script + ".gp"}, folder, log);
+  if (!look.font.empty()) definitions += "; chosen_font=" + data::gnuplot_string(look.font);
+  std::vector<std::string> arguments{"-d", "-e", definitions, script + ".gp"};
+  if (look.size_cm || !look.font.empty()) arguments.insert(arguments.end(), {"-e", refuse_misfit});
+  const int status = run_tool("gnuplot", arguments, folder, log);
   std::vector<fs::path> files;
   for (const std::string& drawing : drawings) {
     files.push_back(folder / drawing);
-    require_success(status, look, files.back(), log);
+    require_success(status, files.back(), log);
+    if (look.format == "tex") write_tex(files.back(), look.title);
     if (look.format == "pdf") remove_date(files.back());
   }
   return files;
+}
+
+}  // namespace
+
+std::vector<fs::path> draw_in_scratch(const std::string& script, const Look& look, const std::string& tables,
+                                      const std::vector<std::string>& drawings, OutputFolder& output) {
+  try {
+    return try_to_draw(script, look, tables, drawings, output);
+  } catch (const Misfit&) {
+    if (!look.size_cm) throw;
+  }
+  const auto [width, height] = *look.size_cm;
+  const auto least = [&](double factor) {  // in steps of half a centimetre
+    return std::pair(std::ceil(2.0 * factor * width) / 2.0, std::ceil(2.0 * factor * height) / 2.0);
+  };
+  std::string allowed = "of another shape";
+  for (double factor = 1.05; factor < 8.0; factor *= 1.05) try {
+      Look larger = look;
+      larger.size_cm = least(factor);
+      (void)try_to_draw(script, larger, tables, drawings, output);
+      allowed = fmt::format("at least {}x{} for all labels of this figure", larger.size_cm->first,
+                            larger.size_cm->second);
+      break;
+    } catch (const Misfit&) {
+    }
+  throw data::FieldError("--size", fmt::format("{}x{}", width, height), allowed);
 }
 
 std::string drawing_of(const std::string& script, const Look& look,

@@ -30,14 +30,16 @@ struct FigureData {
   std::vector<Value> values;
 };
 
-/// How a figure looks: its format, "pdf", "png" or "svg", and what differs from its script.
+/// How a figure looks: its format, "pdf", "png", "svg" or "tex" (TikZ), and what differs from its script.
 struct Look {
   std::string format;
   std::string title{};                                 ///< none if it is empty
   std::optional<std::pair<double, double>> size_cm{};  ///< width and height
+  std::string
+      font{};  ///< "NAME,SIZE", points, of which "tex" takes the size only; that of the style if it is empty
 };
 
-/// "pdf", "png" or "svg", by the name of the file of --figure. Throws data::InputError for another one.
+/// "pdf", "png", "svg" or "tex", by the name of the file of --figure. Throws data::InputError for another one.
 [[nodiscard]] std::string figure_format(const std::string& figure);
 
 /// The values of a figure as a table with the columns name, value and unit.
@@ -45,14 +47,14 @@ struct Look {
 [[nodiscard]] CsvTable values_table(const std::vector<FigureData::Value>& values);
 
 /// Runs figures/<script>.gp once, which makes these drawings in the scratch folder, and returns their paths.
-/// `tables` is the folder of its tables as seen from there. Throws as draw() does.
+/// `tables` is the folder of its tables as seen from there. Throws as draw() does, and data::FieldError with the smallest size of
+/// the same shape that holds all labels if look.size_cm does not.
 [[nodiscard]] std::vector<std::filesystem::path> draw_in_scratch(const std::string& script, const Look& look,
                                                                  const std::string& tables,
                                                                  const std::vector<std::string>& drawings,
                                                                  OutputFolder& output);
 
 /// The bytes of a drawing by figures/<script>.gp of these tables, whose keys are the names of their files.
-/// Throws as draw() does, and data::FieldError if the legend does not fit into look.size_cm.
 [[nodiscard]] std::string drawing_of(const std::string& script, const Look& look,
                                      const std::map<std::string, std::string>& tables);
 

@@ -249,9 +249,14 @@ TEST_F(HistoryFiles, AreDrawnInASizeThatHoldsThem) {
     expect_refused("criterion paper --figure a.png --size " + size,
                    "--size is " + size + ", but must be WIDTHxHEIGHT");
   expect_refused("criterion paper --size 12x8", "--size requires --figure");
-  install_gnuplot("echo drawn > $output; echo 'Warning - difficulty fitting plot titles into key?' >&2\n");
+  install_gnuplot(
+      "echo drawn > $output; [ $chosen_width = 4.5 ] || echo 'difficulty fitting plot titles into key' "
+      ">&2\n");
   expect_refused("criterion paper --figure a.png --size 4x4",
-                 "--size is 4x4, but must be so large that the legend fits into the figure");
+                 "--size is 4x4, but must be at least 4.5x4.5 for all labels of this figure");
+  for (const std::string font : {"Times", ",9", "Times,3", "Times,9pt"})
+    expect_refused("criterion paper --figure a.png --font " + font,
+                   "--font is " + font + ", but must be NAME,SIZE, a size of 4 to 40 points");
   install_gnuplot("echo drawn > $output\n");
   EXPECT_TRUE(holds(run("map damped --set numerics.time_step=1e-3 --duration 0.5 --x frequency=24:26:2 --y "
                         "amplitude=1e-3:2e-3:2 --quantity work,period --output map.csv --figure map.svg")
