@@ -438,7 +438,9 @@ std::filesystem::path find_case(const std::string& name_or_path) {
   std::vector<std::string> names;
   for (const auto& [name, title] : list_cases()) names.push_back(name);
   throw InputError("case " + (name_or_path.empty() ? "\"\"" : printable(name_or_path)) + " is unknown" +
-                   suggestion(name_or_path, names) + ", but must be a file or one of " + joined(names));
+                   (is_file(name_or_path + ".toml") ? " (did you mean " + printable(name_or_path) + ".toml?)"
+                                                    : suggestion(name_or_path, names)) +
+                   ", but must be a file or one of " + joined(names));
 }
 
 void require_magnitude(std::string_view key, double value, const std::string& place) {

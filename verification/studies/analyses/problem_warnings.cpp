@@ -367,11 +367,13 @@ std::optional<Warning> growth_warning(const data::Case& problem, const Method& m
   const double allowed = allowed_growth / numerics.duration();
   if (grows_at_most(*contact, kappa, allowed)) return std::nullopt;
   const double run_bound = growth_bound(*contact, kappa);
-  return Warning{Concern::growth, run_bound, allowed,
-                 fmt::format("the contact changes, and sigma* is {}: by the bound exp(sigma* t) a rounding "
-                             "error may grow to the size of the motion within {:.2g} s{}",
-                             growth_rate(run_bound), allowed_growth / run_bound,
-                             growth_of_beam(problem, run_bound, allowed))};
+  return Warning{
+      Concern::growth, run_bound, allowed,
+      fmt::format("once the contact changes, single slips cannot be foretold for long: a rounding error may "
+                  "grow to the "
+                  "size of the motion within {:.2g} s, by the bound exp(sigma* t) with sigma* = {}{}",
+                  allowed_growth / run_bound, growth_rate(run_bound),
+                  growth_of_beam(problem, run_bound, allowed))};
 }
 
 namespace {
