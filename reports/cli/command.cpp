@@ -144,19 +144,15 @@ void add_threads_option(CLI::App& command) {
       ->transform(integer_between(1, 1024));
 }
 
-void add_figure_option(CLI::App& command, std::string& figure, const std::string& what) {
-  add_file_option(command, "--figure", figure,
-                  what + ", a .png, .pdf, .svg or .tex file (TikZ; needs gnuplot)");
+void add_look_options(CLI::App& command, const std::string& needed) {
   const auto is_size = [](const std::string& text) {
     return size_in(text)
                ? ""
                : fmt::format("is {}, but must be WIDTHxHEIGHT, each 4 to 100 cm", data::printable(text));
   };
   const auto is_font = [](const std::string& text) {
-    const std::size_t comma = text.rfind(',');
-    const auto size =
-        comma == std::string::npos || comma == 0 ? std::nullopt : parse<double>(text.substr(comma + 1));
-    return size && *size >= 4.0 && *size <= 40.0
+    const auto size = parse<double>(text.substr(text.rfind(',') + 1));
+    return text.find(',', 1) != std::string::npos && size && *size >= 4.0 && *size <= 40.0
                ? ""
                : fmt::format("is {}, but must be NAME,SIZE, a size of 4 to 40 points", data::printable(text));
   };
@@ -168,11 +164,18 @@ void add_figure_option(CLI::App& command, std::string& figure, const std::string
         command.add_option("--font")
             ->description("Of the figure, as in 'Times,9'; a .tex file has that of its document in this size")
             ->type_name("NAME,SIZE")
-            ->check(CLI::Validator(is_font, "")),
-        command.add_option("--title")
-            ->description("Of the figure (else the name of the case)")
-            ->type_name("TEXT")})
-    option->needs("--figure");
+            ->check(CLI::Validator(is_font, ""))})
+    option->needs(needed);
+}
+
+void add_figure_option(CLI::App& command, std::string& figure, const std::string& what) {
+  add_file_option(command, "--figure", figure,
+                  what + ", a .png, .pdf, .svg or .tex file (TikZ; needs gnuplot)");
+  add_look_options(command, "--figure");
+  command.add_option("--title")
+      ->description("Of the figure (else the name of the case)")
+      ->type_name("TEXT")
+      ->needs("--figure");
 }
 
 }  // namespace stickslip::cli

@@ -111,6 +111,9 @@ void add_quiet_option(CLI::App& app);
 /// --threads N, which sets studies::thread_count().
 void add_threads_option(CLI::App& command);
 
+/// --size and --font, which need another option.
+void add_look_options(CLI::App& command, const std::string& needed);
+
 /// The option --figure, and --size, --font and --title.
 void add_figure_option(CLI::App& command, std::string& figure, const std::string& what = "Figure to draw");
 

@@ -140,9 +140,10 @@ Answer answer_for_one(const data::Case& problem, const studies::CriterionAnswer&
   add_steady_state(answer, found.steady, problem.numerics.duration(), problem.excitation().is_force());
   add_outlook(answer, found, problem.excitation().frequency_hz());
   if (found.bending) add_bending(answer, problem.beam(), *found.bending, found.steady_draw_back);
-  answer.add_line(fmt::format("\nThe largest |f| is that of a start-up {}.",
-                              is_damped ? "whose free vibrations decay with the damping of the case"
-                                        : "without damping: its free vibrations do not decay"));
+  answer.add_line(fmt::format(
+      "\nThe largest |f| is that of a start-up {}. Steady is without them; a margin below 1 slips.",
+      is_damped ? "whose free vibrations decay with the damping of the case"
+                : "without damping: its free vibrations do not decay"));
   return answer;
 }
 
@@ -183,10 +184,11 @@ Answer table_of_cases(const CriterionOptions& options, Outputs& outputs) {
                                              {"", "force_upper_N"},
                                              {"steady |f| / N", "steady_force_N"}});
   if (cases.size() == 1) outputs.set_case(load_case(options.problem));
-  outputs.open({{"--output", options.output}});
+  outputs.open({{"--output", options.output}, {"--figure", options.figure}});
   const std::size_t rows = cases.size() * points.size();
   report::Progress& progress = outputs.progress("", rows);
   Answer answer;
+  std::map<std::size_t, double> margins;
   const Value none{nullptr, "-"};
   for (const CaseOptions& one : cases)
     for (const auto& point : points) {
@@ -202,6 +204,8 @@ Answer table_of_cases(const CriterionOptions& options, Outputs& outputs) {
                   analytic::load(problem) > 0.0 ? middle(studies::margin_of(found)) : none,
                   word(to_string(found.verdict)), exact(found.force_max.lower), exact(found.force_max.upper),
                   is_sine ? steady_force(studies::steady_state(problem)) : none});
+      if (analytic::load(problem) > 0.0)
+        margins.emplace(table.rows.size(), studies::margin_of(found).midpoint());
       for (const std::string& warning :
            warnings_about(problem, found.verdict, studies::held_bending(problem)))
         add_warning(answer, problem.name + ": " + warning);
@@ -209,6 +213,10 @@ Answer table_of_cases(const CriterionOptions& options, Outputs& outputs) {
     }
   answer.add_table("cases", table);
   outputs.write_table("--output", [&] { return "# Criterion with all modes\n" + table.csv(); });
+  if (outputs.has("--figure") && margins.empty())
+    throw data::FieldError("--figure", options.figure, "left out where nothing moves");
+  outputs.draw(cases.size() == 1 ? cases.front().name : "",
+               [&](const report::Look& look) { return report::draw(margins, look); });
   return answer;
 }
 
@@ -384,18 +392,19 @@ Answer criterion(const CriterionOptions& options, Outputs& outputs) {
 
 void add_options(CLI::App& command, CriterionOptions& options) {
   add_case_options(command, options.problem);
-  auto* more = command.add_option("CASES", options.more, "Further cases: a row each in one table");
-  auto* plan = add_file_option(
-      command, "--plan", options.plan,
-      "CSV file with a column for each key that it varies, as beam.length, and a row for each "
-      "point: a row each in the table");
-  auto* output =
-      add_file_option(command, "--output", options.output, "CSV file for the table, '-' for standard output");
+  command.add_option("CASES", options.more, "Further cases: a row each in one table");
+  add_file_option(command, "--plan", options.plan,
+                  "CSV file with a column for each key that it varies, as beam.length, and a row for each "
+                  "point: a row each in the table");
+  add_file_option(command, "--output", options.output, "CSV file for the table, '-' for standard output");
   add_excitation_options(command, options.problem);
   add_integer_option(command, "--samples", options.samples, 1, 1'000'000,
                      "With a spectrum: realisations in which slip is counted (default: up to 1000)");
   add_figure_option(command, options.figure);
-  command.get_option("--figure")->excludes(more)->excludes(plan)->excludes(output);
+  command.get_option("--figure")
+      ->description(
+          "Figure to draw: the critical amplitude, or the margins of the rows of a table, a .png, .pdf, .svg "
+          "or .tex file");
 }
 
 }  // namespace

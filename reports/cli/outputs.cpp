@@ -199,6 +199,11 @@ void Outputs::print(Answer answer) {
     answer.add_members({{"warnings", *answer.warnings}});
   }
   head_.update(answer.json);
+  std::vector<std::string> unnamed;  // files that the answer does not name
+  for (const Open& open : files_)
+    if (open.is_written && answer.text.find(open.name.path) == std::string::npos)
+      unnamed.push_back(open.name.path);
+  if (!unnamed.empty() && !is_quiet_) answer.add_line(fmt::format("Written: {}", fmt::join(unnamed, ", ")));
   std::string text;
   if (is_json_)
     text = json_text(head_);

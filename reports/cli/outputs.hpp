@@ -79,6 +79,8 @@ class Outputs {
     return interruption_ ? interruption_->block_interruption() : std::unique_lock<std::mutex>();
   }
 
+  /// What --size, --font and --title ask for.
+  [[nodiscard]] const report::Look& look() const noexcept { return look_; }
   [[nodiscard]] bool is_json() const noexcept { return is_json_; }
   [[nodiscard]] bool is_quiet() const noexcept { return is_quiet_; }
 

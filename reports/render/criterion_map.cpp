@@ -96,8 +96,9 @@ CsvTable table_of(const data::Case& problem, const studies::CriterionMap& map) {
     columns += fmt::format(", {} [{}], {}_change [1]", quantity->column, quantity->unit, change);
   }
   CsvTable table(
-      fmt::format("{} for the case {}",
-                  map.quantities.empty() ? "Criterion of stick-slip" : "Stick-slip motion", problem.name),
+      fmt::format("{} for the case {}{}",
+                  map.quantities.empty() ? "Criterion of stick-slip" : "Stick-slip motion", problem.name,
+                  has_ratio ? " (force_ratio is the largest |f| over mu_s P: above 1 the tip slips)" : ""),
       columns + ", state [-]");
   table.reserve(map.cells.size() * longest_usual_row);
 
@@ -137,6 +138,12 @@ std::string draw(const data::Case& problem, const studies::CriticalAmplitudeCurv
                     {{"criterion.csv", table.text()},
                      {"criterion-natural.csv", marks.text()},
                      {"criterion-values.csv", values.text()}});
+}
+
+std::string draw(const std::map<std::size_t, double>& margins, const Look& look) {
+  CsvTable table("Margins of the rows of a table", "row [1], margin [1]");
+  for (const auto& [row, margin] : margins) table.add_numbers({static_cast<double>(row), margin});
+  return drawing_of("plan", look, {{"plan.csv", table.text()}});
 }
 
 std::string draw(const studies::SlipUncertainty& result, const Look& look) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
+#include <map>
 #include <string>
 #include <string_view>
 
@@ -28,6 +30,9 @@ namespace stickslip::report {
 /// The critical amplitude over the frequency, drawn by gnuplot (figures/criterion.gp), as draw() of a map.
 [[nodiscard]] std::string draw(const data::Case& problem, const studies::CriticalAmplitudeCurve& curve,
                                const Look& look);
+
+/// The margin of each row of a table of cases, which are counted from 1, drawn by gnuplot (figures/plan.gp), as draw() of a map.
+[[nodiscard]] std::string draw(const std::map<std::size_t, double>& margins, const Look& look);
 
 /// The histogram of the margins of the samples, drawn by gnuplot (figures/uncertainty.gp), as draw() of a map.
 [[nodiscard]] std::string draw(const studies::SlipUncertainty& result, const Look& look);

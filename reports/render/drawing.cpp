@@ -28,8 +28,9 @@ constexpr std::string_view too_small = "the figure is too small";
 // Run after the script of a figure: its labels fit into their room, and the last panel has a size.
 const std::string refuse_misfit = fmt::format(
     "area(from, to, size) = (to - from) * GPVAL_TERM_SCALE / size; "
-    "if (unfit || area(GPVAL_TERM_XMIN, GPVAL_TERM_XMAX, GPVAL_TERM_XSIZE) < across(8) || "
-    "area(GPVAL_TERM_YMIN, GPVAL_TERM_YMAX, GPVAL_TERM_YSIZE) < up(3.5)) {{ printerr '{}' }}",
+    "if (unfit || !exists('composed') && (area(GPVAL_TERM_XMIN, GPVAL_TERM_XMAX, GPVAL_TERM_XSIZE) < "
+    "across(8) || "
+    "area(GPVAL_TERM_YMIN, GPVAL_TERM_YMAX, GPVAL_TERM_YSIZE) < up(3.5))) {{ printerr '{}' }}",
     too_small);
 
 // What does not fit into the size of the figure.
@@ -146,6 +147,7 @@ std::vector<fs::path> try_to_draw(const std::string& script, const Look& look, c
     definitions +=
         fmt::format("; chosen_width={}; chosen_height={}", look.size_cm->first, look.size_cm->second);
   if (!look.font.empty()) definitions += "; chosen_font=" + data::gnuplot_string(look.font);
+  if (look.is_composed) definitions += "; composed=1";
   std::vector<std::string> arguments{"-d", "-e", definitions, script + ".gp"};
   if (look.size_cm || !look.font.empty()) arguments.insert(arguments.end(), {"-e", refuse_misfit});
   const int status = run_tool("gnuplot", arguments, folder, log);
@@ -194,12 +196,14 @@ std::string drawing_of(const std::string& script, const Look& look,
       draw_in_scratch(script, look, "../../", {script + "." + look.format}, output).front());
 }
 
-void draw(const std::string& name, OutputFolder& output) {
+void draw(const std::string& name, Look look, OutputFolder& output) {
   std::vector<fs::path> drawn;
-  for (const std::string format : {"pdf", "png"})
+  look.is_composed = true;
+  for (const std::string format : {"pdf", "png"}) {
+    look.format = format;
     drawn.push_back(
-        draw_in_scratch(name, {.format = format}, "../../", {fmt::format("{}.{}", name, format)}, output)
-            .front());
+        draw_in_scratch(name, look, "../../", {fmt::format("{}.{}", name, format)}, output).front());
+  }
   for (const fs::path& file : drawn) output.publish(file);
 }
 

@@ -35,8 +35,8 @@ struct Look {
   std::string format;
   std::string title{};                                 ///< none if it is empty
   std::optional<std::pair<double, double>> size_cm{};  ///< width and height
-  std::string
-      font{};  ///< "NAME,SIZE", points, of which "tex" takes the size only; that of the style if it is empty
+  bool is_composed{};                                  ///< its letters shrink with it, down to 5 points
+  std::string font{};  ///< "NAME,SIZE", points; "tex" takes the size; empty: that of the style
 };
 
 /// "pdf", "png", "svg" or "tex", by the name of the file of --figure. Throws data::InputError for another one.
@@ -58,8 +58,8 @@ struct Look {
 [[nodiscard]] std::string drawing_of(const std::string& script, const Look& look,
                                      const std::map<std::string, std::string>& tables);
 
-/// Runs figures/<name>.gp on the tables in the output folder, once for PDF and once for PNG. Throws
+/// Runs figures/<name>.gp on the tables in the output folder, once for PDF and once for PNG, with size and font of `look`. Throws
 /// ToolMissing if there is no gnuplot, std::runtime_error with gnuplot's own words if it fails.
-void draw(const std::string& name, OutputFolder& output);
+void draw(const std::string& name, Look look, OutputFolder& output);
 
 }  // namespace stickslip::report

@@ -23,12 +23,18 @@ namespace stickslip::report {
 namespace {
 
 // The figures asked for, in the order of the report.
-std::vector<Figure> chosen_figures(const std::vector<std::string>& only) {
+std::vector<Figure> chosen_figures(std::vector<std::string> only) {
   const std::vector<std::string> known = figure_names();
-  for (const std::string& name : only)
+  for (std::string& name : only) {
+    if (name == "fig6" || name == "fig11") name = "limits";  // the critical amplitude over frequency
+    if (name == "fig8")
+      throw data::InputError(
+          "--only names the figure 'fig8', the static shape, which is not drawn; `stickslip reference export "
+          "static-shapes` has it");
     if (std::ranges::find(known, name) == known.end())
       throw data::InputError(fmt::format("--only names the figure '{}', but must name some of {}", name,
                                          fmt::join(known, ", ")));
+  }
   std::vector<Figure> chosen;
   for (const Figure& figure : all_figures())
     if (only.empty() || std::ranges::find(only, figure.name) != only.end()) chosen.push_back(figure);
@@ -45,12 +51,13 @@ void write_tables(const std::string& figure, FigureData data, OutputFolder& outp
   for (const auto& [name, table] : data.tables) output.write(name + ".csv", table.text());
 }
 
-void draw_all(const std::vector<Figure>& figures, Progress& progress, OutputFolder& output) {
+void draw_all(const std::vector<Figure>& figures, const Look& look, Progress& progress,
+              OutputFolder& output) {
   try {
     for (std::size_t i = 0; i < figures.size(); ++i) {
       progress(share_done(figures.size(), figures.size() + i));
       progress.stage(fmt::format("drawing {}", figures[i].name));
-      draw(figures[i].name, output);
+      draw(figures[i].name, look, output);
     }
   } catch (const ToolMissing& missing) {
     throw std::runtime_error(fmt::format("{}, so that no figure is drawn; their data are in {}/*.csv",
@@ -66,7 +73,7 @@ std::string tested_commit(const std::filesystem::path& tests) {
 
 }  // namespace
 
-void write_report(const ReportOptions& options) {
+std::vector<std::string> write_report(const ReportOptions& options) {
   const std::vector<Figure> chosen = chosen_figures(options.only);
   (void)templates_directory();  // refused now rather than after the studies
   const std::string tests = options.tests.empty() ? "[]\n" : read_test_results(options.tests);
@@ -82,7 +89,7 @@ void write_report(const ReportOptions& options) {
     return fmt::format("interrupted after {:.0f} % of the report; what is finished is in {}",
                        100.0 * progress.share(), output.folder().string());
   });
-  Results results([&](const std::string& what) { progress.stage(what); }, values);
+  Results results([&](const std::string& what) { progress.stage(what); }, values, options.overrides);
 
   const bool whole = options.only.empty();
   if (whole)
@@ -91,8 +98,10 @@ void write_report(const ReportOptions& options) {
     if (!whole) progress(share_done(chosen.size(), i));
     write_tables(chosen[i].name, chosen[i].data(results), output);
   }
-  draw_all(chosen, progress, output);
-  if (!whole) return;
+  draw_all(chosen, options.look, progress, output);
+  std::vector<std::string> drawn;
+  for (const Figure& figure : chosen) drawn.push_back(figure.name);
+  if (!whole) return drawn;
 
   data::write_text(values / "tests.json", tests);
   data::write_text(values / "tested_commit.json", json_text(tested_commit(options.tests)));
@@ -101,6 +110,7 @@ void write_report(const ReportOptions& options) {
   typeset(fill_in_templates(values, output), output);
   progress.stage("writing the pages of evidence");
   write_site(values, output);
+  return drawn;
 }
 
 std::vector<std::string> figure_names() {

@@ -131,8 +131,15 @@ CsvTable comparison_table(const std::vector<validation::Comparison>& comparisons
       "is_resolved as resolved, unit");
 }
 
-Results::Results(std::function<void(const std::string&)> announce, std::filesystem::path folder)
-    : announce_(std::move(announce)), folder_(std::move(folder)), results_(all_studies().size()) {}
+Results::Results(std::function<void(const std::string&)> announce, std::filesystem::path folder,
+                 const std::vector<data::Override>& overrides)
+    : paper(data::load_case("paper", overrides)),
+      damped(data::load_case("damped", overrides)),
+      half_stiffness(data::load_case("paper-half-stiffness", overrides)),
+      flat_section(data::load_case("paper-figure14", overrides)),
+      announce_(std::move(announce)),
+      folder_(std::move(folder)),
+      results_(all_studies().size()) {}
 
 void Results::run_all(const std::function<void(double)>& progress) {
   const unsigned threads = studies::thread_count();

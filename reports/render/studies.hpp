@@ -23,7 +23,9 @@ class Study;
 class Results {
  public:
   /// `announce` is told what starts, before each study; `folder` receives each result as <name>.json.
-  Results(std::function<void(const std::string&)> announce, std::filesystem::path folder);
+  /// The overrides apply to each case.
+  Results(std::function<void(const std::string&)> announce, std::filesystem::path folder,
+          const std::vector<data::Override>& overrides = {});
 
   template <typename Result>
   const Result& operator()(const Study<Result>& study);
@@ -32,10 +34,7 @@ class Results {
   /// fraction of studies that are done, 0 to 1.
   void run_all(const std::function<void(double)>& progress);
 
-  const data::Case paper = data::load_case("paper");
-  const data::Case damped = data::load_case("damped");
-  const data::Case half_stiffness = data::load_case("paper-half-stiffness");
-  const data::Case flat_section = data::load_case("paper-figure14");
+  const data::Case paper, damped, half_stiffness, flat_section;
 
  private:
   struct Kept {
