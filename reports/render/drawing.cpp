@@ -23,15 +23,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::string_view too_small = "the figure is too small";
-
 // Run after the script of a figure: its labels fit into their room, and the last panel has a size.
-const std::string refuse_misfit = fmt::format(
-    "area(from, to, size) = (to - from) * GPVAL_TERM_SCALE / size; "
-    "if (unfit || !exists('composed') && (area(GPVAL_TERM_XMIN, GPVAL_TERM_XMAX, GPVAL_TERM_XSIZE) < "
-    "across(8) || "
-    "area(GPVAL_TERM_YMIN, GPVAL_TERM_YMAX, GPVAL_TERM_YSIZE) < up(3.5))) {{ printerr '{}' }}",
-    too_small);
+constexpr const char* refuse_misfit =
+    "area(from, to, size) = (to - from) * GPVAL_TERM_SCALE / size; if (unfit || !exists('composed') && "
+    "(area(GPVAL_TERM_XMIN, GPVAL_TERM_XMAX, GPVAL_TERM_XSIZE) < across(8) || "
+    "area(GPVAL_TERM_YMIN, GPVAL_TERM_YMAX, GPVAL_TERM_YSIZE) < up(3.5))) { printerr 'too small' }";
 
 // What does not fit into the size of the figure.
 struct Misfit : std::runtime_error {
@@ -47,7 +43,7 @@ void require_success(int status, const fs::path& drawing, const fs::path& log) {
   if (words.ends_with(" frames in animation sequence\n") && std::ranges::count(words, '\n') == 1)
     words.clear();
   if (status == 0 && drawn && words.empty()) return;
-  if (words.find("plot titles into key") != std::string::npos || words == std::string(too_small) + "\n")
+  if (words.find("plot titles into key") != std::string::npos || words == "too small\n")
     throw Misfit(fmt::format("{} is too small for its labels", drawing.filename().string()));
   throw std::runtime_error(
       fmt::format("gnuplot could not draw {}: {}", drawing.filename().string(),
@@ -64,6 +60,10 @@ std::string tex_text(std::string_view text, bool enhanced) {
       {"≥", "$\\geq$"},   {"·", "$\\cdot$"}, {"μ", "$\\mu$"},    {"ω", "$\\omega$"},
       {"Ω", "$\\Omega$"}, {"ζ", "$\\zeta$"}, {"α", "$\\alpha$"}, {"ρ", "$\\rho$"}};
   std::string tex;
+  if (text.size() > 1 && text[0] == '-' && std::isdigit(static_cast<unsigned char>(text[1])) != 0) {
+    tex = "$-$";
+    text.remove_prefix(1);
+  }
   while (!text.empty()) {
     if (enhanced && (text[0] == '_' || text[0] == '^') && text.size() > 1) {
       const bool group = text[1] == '{';
@@ -91,11 +91,7 @@ void write_tex(const fs::path& drawing, const std::string& title) {
     const std::size_t begin = line.find(") {");
     if (line.starts_with("\\node[") && begin != std::string::npos && line.ends_with("};")) {
       const std::string words = line.substr(begin + 3, line.size() - begin - 5);
-      const bool is_negative =
-          words.size() > 1 && words[0] == '-' && std::isdigit(static_cast<unsigned char>(words[1])) != 0;
-      line.replace(
-          begin + 3, words.size(),
-          (is_negative ? "$-$" : "") + tex_text(is_negative ? words.substr(1) : words, words != title));
+      line.replace(begin + 3, words.size(), tex_text(words, words != title));
     }
     text += line + "\n";
   }
@@ -171,16 +167,12 @@ std::vector<fs::path> draw_in_scratch(const std::string& script, const Look& loo
     if (!look.size_cm) throw;
   }
   const auto [width, height] = *look.size_cm;
-  const auto least = [&](double factor) {  // in steps of half a centimetre
-    return std::pair(std::ceil(2.0 * factor * width) / 2.0, std::ceil(2.0 * factor * height) / 2.0);
-  };
   std::string allowed = "of another shape";
-  for (double factor = 1.05; factor < 8.0; factor *= 1.05) try {
-      Look larger = look;
-      larger.size_cm = least(factor);
+  Look larger = look;
+  for (double wide = width + 0.5; wide <= 40.0; wide += 0.5) try {
+      larger.size_cm = {wide, std::ceil(2.0 * height / width * wide) / 2.0};
       (void)try_to_draw(script, larger, tables, drawings, output);
-      allowed = fmt::format("at least {}x{} for all labels of this figure", larger.size_cm->first,
-                            larger.size_cm->second);
+      allowed = fmt::format("at least {}x{} for all labels of this figure", wide, larger.size_cm->second);
       break;
     } catch (const Misfit&) {
     }

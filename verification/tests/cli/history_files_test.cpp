@@ -120,7 +120,7 @@ TEST_F(HistoryFiles, AreDrawnAsTheyAre) {
     const data::Case problem = text.problem();
     const double limit = problem.contact.friction.static_coefficient() * problem.beam().axial_force();
     EXPECT_NEAR(height("stick"),
-                (level("gnuplot_plot_5b") - level("friction limit")) * range(of(5)) / (2.0 * limit), 1.0);
+                (level("gnuplot_plot_5b") - level("limit")) * range(of(5)) / (2.0 * limit), 1.0);
 
     const Line whole = curve(svg, "stick").front();
     EXPECT_LT(whole.size(), 4000u);
