@@ -51,12 +51,14 @@ def words_of(pdf):
 
 
 def overlap(one, other):
-    """Whether two words cover each other. A box is as high as the font, a third of it over and under the letters: so much less of the
-    thinner side of each box counts, a word along which letters run up included."""
-    def inner(box):
-        cut = min(box[2] - box[0], box[3] - box[1]) / 6
-        return box[0] + cut, box[1] + cut, box[2] - cut, box[3] - cut
-    a, b = inner(one), inner(other)
+    """Whether two words cover each other. A box is as high as the font, a third of it over and under the letters, which are cut off. Which side
+    that is, a word of one or two letters does not tell: it is cut on all sides."""
+    def inner(box, text):
+        wide, high = box[2] - box[0], box[3] - box[1]
+        cut = min(wide, high) / 6
+        x, y = cut * (wide < high or len(text) < 3), cut * (wide > high or len(text) < 3)
+        return box[0] + x, box[1] + y, box[2] - x, box[3] - y
+    a, b = inner(*one), inner(*other)
     return min(a[2], b[2]) > max(a[0], b[0]) and min(a[3], b[3]) > max(a[1], b[1])
 
 
@@ -94,8 +96,8 @@ class FigureLayout(unittest.TestCase):
             self.assertTrue(any(label in text for _, text in words), f"no {label}")
         for box, text in words:
             self.assertTrue(box[0] >= 0 and box[1] >= 0 and box[2] <= page[0] and box[3] <= page[1], f"{text} leaves the page")
-        for (box, text), (other, second) in itertools.combinations(words, 2):
-            self.assertFalse(overlap(box, other), f"{text} lies on {second}")
+        for one, other in itertools.combinations(words, 2):
+            self.assertFalse(overlap(one, other), f"{one[1]} lies on {other[1]}")
 
     def test_labels_are_on_the_page_and_apart(self):
         for name, size in itertools.product(FIGURES, SIZES):
