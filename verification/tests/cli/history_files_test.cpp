@@ -119,8 +119,8 @@ TEST_F(HistoryFiles, AreDrawnAsTheyAre) {
     const auto level = [&](const char* title) { return curve(svg, title).back().front().second; };
     const data::Case problem = text.problem();
     const double limit = problem.contact.friction.static_coefficient() * problem.beam().axial_force();
-    EXPECT_NEAR(height("stick"),
-                (level("gnuplot_plot_5b") - level("limit")) * range(of(5)) / (2.0 * limit), 1.0);
+    EXPECT_NEAR(height("stick"), (level("gnuplot_plot_5b") - level("limit")) * range(of(5)) / (2.0 * limit),
+                1.0);
 
     const Line whole = curve(svg, "stick").front();
     EXPECT_LT(whole.size(), 4000u);
