@@ -20,7 +20,7 @@ do for [i = 0:count] {
 panel_width = (width - em) / count - 9 * em
 top_rows = rows_of(2, 9, panel_width)
 bottom_rows = rows_of(2, 10, panel_width)
-eval panels
+eval two_panels
 array differences[count]
 left = 0
 do for [i = 1:count] {

@@ -20,7 +20,7 @@ unset title
 right = is_whole ? 1 - across(1) : 0.6
 top_rows = rows_of(has_base + has_wall + 1 + (sizes[4] > 0), 7, right * width - 9 * em)
 bottom_rows = rows_of(has_load + follows_slip + has_first_slip + 2, has_first_slip ? 10 : 5, right * width - 9 * em)
-eval panels
+eval two_panels
 force_label = fitted(force_name.' / N', room)
 displacement_label = fitted('displacement / mm', room)
 left = margin_of(force_label, displacement_label)

@@ -48,6 +48,8 @@ unset datafile columnheaders
 few(axis) = value('axis_max_'.axis) - value('axis_min_'.axis) < 2
 label(axis, k, m) = few(axis) ? (m == 1 || m == 2 || m == 5 ? sprintf('%g', m * 10.0**k) : '') : \
                     m == 1 ? sprintf('10^{%d}', k) : ''
+if (!x_log) { set xtics x_step(axis_max_x - axis_min_x, width - 13.8 * em) }
+if (!y_log) { set ytics y_step(axis_max_y - axis_min_y, height - 8 * em) }
 do for [axis in 'x y'] {
   if (value(axis.'_log')) {
     eval sprintf("set %stics ()", axis)

@@ -54,7 +54,7 @@ y_step(range, room) = range > 0 ? round_step(range * 1.6 * em / room) : 1
 title_of(longest) = (longest + 3.5) * 0.64 * em
 rows_of(titles, longest, wide) = wide < 2 * title_of(longest) ? titles : ceil(1.0 * titles / floor(wide / title_of(longest)))
 # Two panels, one on the other, with a legend above and below. To be set first: the rows of these.
-panels = "above = title_share + up(0.8 + 1.2 * top_rows); below = up(4.2 + 1.2 * bottom_rows); middle = 0.5 * (1 - above + below); \
+two_panels = "above = title_share + up(0.8 + 1.2 * top_rows); below = up(4.2 + 1.2 * bottom_rows); middle = 0.5 * (1 - above + below); \
     panel = (1 - above - middle) * height - 0.55 * em; room = panel + 0.6 * em"  # of its label
 upper = "set bmargin at screen middle + up(0.55); set tmargin at screen 1 - above; set format x ''"
 lower = "set tmargin at screen middle - up(0.55); set bmargin at screen below; set format x '%g'"

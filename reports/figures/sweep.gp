@@ -13,7 +13,7 @@ set multiplot title heading noenhanced
 unset title
 top_rows = 1
 bottom_rows = 0
-eval panels
+eval two_panels
 displacement_label = fitted('tip displacement / mm', room)
 force_label = fitted('friction force / N', room)
 set lmargin at screen margin_of(displacement_label, force_label)

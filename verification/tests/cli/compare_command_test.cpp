@@ -59,7 +59,8 @@ TEST_F(ReferenceCommand, ExportsWholeFilesAlone) {
   EXPECT_EQ(run(in_fixture("reference export damped-history") + "--output mine.csv").status, 0);
   EXPECT_EQ(contents("mine.csv"), original);
   std::filesystem::create_directory("folder");
-  EXPECT_EQ(run(in_fixture("reference export damped-history") + "--output folder").output, "");
+  EXPECT_EQ(run(in_fixture("reference export damped-history") + "--output folder").output,
+            "Written: folder/history.csv\n");
   EXPECT_EQ(contents("folder/history.csv"), original);
   expect_refused(in_fixture("reference export damped-history") + "--output none/mine.csv", "none/mine.csv");
   expect_refused(in_fixture("reference export damped-histori") + "--output other.csv",
