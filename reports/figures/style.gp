@@ -19,7 +19,8 @@ if (heading ne '') { set title heading noenhanced }
 # In points as printed, and one size; indices and exponents have 0.8 of it.
 if (!exists('columns')) { columns = 1 }  # of panels
 font_size = exists('chosen_width') && (width / columns < 11 || height < 8) ? 7.2 : 8.8
-if (exists('composed')) { font_size = 8.8 * (1.0 * width / own_width < 1.0 * height / own_height ? 1.0 * width / own_width : 1.0 * height / own_height) }
+composed_size = 8.8 * (1.0 * width / own_width < 1.0 * height / own_height ? 1.0 * width / own_width : 1.0 * height / own_height)
+if (exists('composed')) { font_size = composed_size }
 font_name = 'DejaVu Sans'
 if (exists('chosen_font')) {
   font_name = chosen_font[1:strstrt(chosen_font, ',') - 1]
@@ -44,7 +45,8 @@ breaks(text) = strstrt(text, "\n") ? 1 + breaks(text[strstrt(text, "\n") + 1:*])
 outwards(label) = -2 * breaks(label)  # offset of a label with more lines
 # The left margin of two panels with these labels of their y axes.
 margin_of(one, other) = across(6.5 + 1.3 * (breaks(one) > breaks(other) ? breaks(one) : breaks(other)))
-unfit = font_size < 5 && !exists('chosen_font')
+# A composed figure has its margins for letters of `composed_size`; larger ones are cut (3 % for 9 points: empirical).
+unfit = exists('chosen_font') ? exists('composed') && font_size > 1.03 * composed_size : font_size < 5
 # A step of tics of 1, 2 or 5 that leaves room for their labels.
 decade(x) = 10.0**floor(log10(x))
 round_step(x) = x <= decade(x) ? decade(x) : x <= 2 * decade(x) ? 2 * decade(x) : x <= 5 * decade(x) ? 5 * decade(x) : 10 * decade(x)

@@ -164,8 +164,11 @@ std::vector<fs::path> draw_in_scratch(const std::string& script, const Look& loo
   try {
     return try_to_draw(script, look, tables, drawings, output);
   } catch (const Misfit&) {
-    if (!look.size_cm) throw;
+    if (!look.size_cm && look.font.empty()) throw;
   }
+  if (!look.size_cm)
+    throw data::FieldError("--font", look.font,
+                           "of smaller letters in this figure, unless --size makes it larger");
   const auto [width, height] = *look.size_cm;
   std::string allowed = "of another shape";
   Look larger = look;

@@ -48,7 +48,7 @@ struct Look {
 
 /// Runs figures/<script>.gp once, which makes these drawings in the scratch folder, and returns their paths.
 /// `tables` is the folder of its tables as seen from there. Throws as draw() does, and data::FieldError with the smallest size of
-/// the same shape that holds all labels if look.size_cm does not.
+/// the same shape that holds all labels if look.size_cm does not, or naming --font where there is no size.
 [[nodiscard]] std::vector<std::filesystem::path> draw_in_scratch(const std::string& script, const Look& look,
                                                                  const std::string& tables,
                                                                  const std::vector<std::string>& drawings,

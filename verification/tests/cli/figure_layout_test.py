@@ -133,6 +133,8 @@ class FigureLayout(unittest.TestCase):
         for name, size, labels in ("fig2", (12, 6), ("0.5", "velocity")), ("limits", (12, 6), ("start-up", "steady", "amplitude")):
             self.check(self.folder / f"drawn/{name}.pdf", labels, size)
         self.assertIn("must be at least 1", self.run_program(line + "4")[1])
+        self.assertIn("must be at least 2", self.run_program(line + "6 --font Any,12")[1])
+        self.assertIn("--font is Any,12", self.run_program("report --only fig2 --output drawn --font Any,12")[1])
         self.assertIn("static-shapes", self.run_program("report --only fig8")[1])
 
 
