@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: MIT
 /// What takes minutes: data sets that are made again, and a fine mesh against the undamped histories.
 
+#include <cstdlib>
+
 #include "comparison/comparison.hpp"
+#include "stickslip/data/atomic_file.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
+#include "studies/common/parallel.hpp"
+#include "studies/verification/claimed_domain.hpp"
 #include "support/published_data.hpp"
 #include "support/testing.hpp"
 
@@ -15,6 +20,21 @@ TEST(PublishedDataLong, IsWhatTheCodeMakes) {
   for (const reference::Recipe& recipe : reference::recipes())
     if (!recipe.is_quick)
       expect_same_data(data::read_table(package, std::string(recipe.name)), recipe.make());
+}
+
+STICKSLIP_VERIFIES(ClaimedDomain, "X22");
+TEST(ClaimedDomain, IsWhatTheCodeMakes) {
+  // With STICKSLIP_WRITE_DOMAIN=1 the file is made anew.
+  const auto file = data::find_case("paper").parent_path().parent_path().parent_path() / "verification" /
+                    "studies" / "claimed-domain.csv";
+  std::vector<studies::DomainCase> cases(studies::domain_cases + studies::domain_corners);
+  studies::in_parallel(cases.size(), [&](std::size_t i) {
+    cases[i] = studies::domain_case(data::load_case("paper"), static_cast<int>(i) + 1);
+  });
+  if (std::getenv("STICKSLIP_WRITE_DOMAIN") != nullptr) data::write_text(file, studies::domain_text(cases));
+  const std::vector<studies::DomainCase> kept = studies::read_domain(file);
+  ASSERT_EQ(kept.size(), cases.size());
+  for (std::size_t i = 0; i < cases.size(); ++i) EXPECT_NO_THROW(studies::require_same(kept[i], cases[i]));
 }
 
 class ComparedUndampedLong : public ::testing::TestWithParam<int> {};

@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: MIT
+#include "studies/verification/claimed_domain.hpp"
+
+#include <fmt/format.h>
+#include <gsl/gsl_qrng.h>
+#include <gsl/gsl_statistics_double.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <random>
+#include <stdexcept>
+
+#include "stickslip/analytic/damped_reaction.hpp"
+#include "stickslip/analytic/held_beam.hpp"
+#include "stickslip/analytic/stick_modes.hpp"
+#include "stickslip/data/csv_text.hpp"
+#include "stickslip/solver/beam_simulation.hpp"
+#include "studies/analyses/criterion_answer.hpp"
+#include "studies/common/parallel.hpp"
+#include "studies/common/problem_parameter.hpp"
+
+namespace stickslip::studies {
+
+namespace {
+
+constexpr double amplitude_width = 1e-6;
+
+using Column = std::pair<const char*, double DomainCase::*>;
+constexpr std::array<Column, 6> domain_models{
+    {{"finite elements", &DomainCase::finite_elements},
+     {"shear and rotary inertia", &DomainCase::shear},
+     {"axial force of another direction", &DomainCase::direction_change},
+     {"contact that yields", &DomainCase::contact_change},
+     {"damping", &DomainCase::damping_change},
+     {"draw-back of the tip", &DomainCase::draw_back}}};
+
+constexpr std::array<Column, 18> domain_columns{{{"index", &DomainCase::index},
+                                                 {"load", &DomainCase::load},
+                                                 {"frequency", &DomainCase::frequency},
+                                                 {"periods", &DomainCase::periods},
+                                                 {"friction", &DomainCase::friction},
+                                                 {"slenderness", &DomainCase::slenderness},
+                                                 {"damping", &DomainCase::damping},
+                                                 {"direction", &DomainCase::direction},
+                                                 {"contact_stiffness", &DomainCase::contact_stiffness},
+                                                 {"spring", &DomainCase::spring},
+                                                 {"distance", &DomainCase::distance},
+                                                 {"amplitude", &DomainCase::amplitude},
+                                                 {"finite_elements", &DomainCase::finite_elements},
+                                                 {"shear", &DomainCase::shear},
+                                                 {"direction_change", &DomainCase::direction_change},
+                                                 {"contact_change", &DomainCase::contact_change},
+                                                 {"damping_change", &DomainCase::damping_change},
+                                                 {"draw_back", &DomainCase::draw_back}}};
+
+DomainCase sobol_point(int index) {
+  const auto& groups = domain_groups();
+  const std::unique_ptr<gsl_qrng, decltype(&gsl_qrng_free)> points(
+      gsl_qrng_alloc(gsl_qrng_sobol, static_cast<unsigned>(groups.size())), gsl_qrng_free);
+  std::array<double, std::tuple_size_v<std::remove_cvref_t<decltype(groups)>>> x{};
+  for (int i = 0; i < index; ++i) gsl_qrng_get(points.get(), x.data());
+  DomainCase point{.index = static_cast<double>(index)};
+  for (std::size_t i = 0; i < groups.size(); ++i)
+    point.*groups[i].value = groups[i].is_log
+                                 ? groups[i].least * std::pow(groups[i].greatest / groups[i].least, x[i])
+                                 : groups[i].least + (groups[i].greatest - groups[i].least) * x[i];
+  return point;
+}
+
+// Corner 0, 1, ... of the domain of the margin: bit 0 chooses the load, bit 1 the duration, the others the frequency: the least, and the
+// edges of the bands about the first two natural frequencies. All else is where the other models differ most.
+DomainCase corner_point(const data::Beam& beam, int corner) {
+  DomainCase point{.index = static_cast<double>(domain_cases + 1 + corner)};
+  for (const DomainGroup& group : domain_groups())
+    point.*group.value =
+        group.value == &DomainCase::slenderness || group.value == &DomainCase::contact_stiffness
+            ? group.margin_least
+            : group.margin_greatest;
+  const auto& groups = domain_groups();
+  if ((corner & 1) != 0) point.load = groups[0].margin_least;
+  if ((corner & 2) != 0) point.periods = groups[2].margin_least;
+  data::BeamProperties loaded = beam.properties();
+  loaded.axial_force = point.load * analytic::stick_buckling_load(beam);
+  const double second = stick_hz(data::Beam(loaded), 2) / stick_hz(data::Beam(loaded), 1);
+  constexpr double below = 1.0 - resonance_distance - 1e-9, above = 1.0 + resonance_distance + 1e-9;
+  point.frequency = std::array{groups[1].margin_least, below, above, below * second}.at(
+      static_cast<std::size_t>(corner / 4));
+  return point;
+}
+
+// The beam of the paper, with another area at the same mass per length.
+data::Case problem_of(const data::Case& paper, const DomainCase& point) {
+  data::BeamProperties beam = paper.beam().properties();
+  const double mass = beam.density * beam.area;
+  beam.area = beam.second_moment_of_area * std::pow(point.slenderness / beam.length, 2);
+  beam.density = mass / beam.area;
+  beam.axial_force = point.load * analytic::stick_buckling_load(data::Beam(beam));
+  data::Case problem = with(paper, data::Beam(beam));
+  const double first = stick_hz(problem.beam(), 1);
+  problem =
+      with(problem,
+           data::FrictionLaw({.static_coefficient = point.friction, .kinetic_coefficient = point.friction}));
+  problem = with_value(with_value(problem, "excitation.frequency_hz", point.frequency * first),
+                       "excitation.duration", point.periods / first);
+  return with_value(problem, "excitation.amplitude", 1e-3);
+}
+
+double critical_amplitude(const data::Case& problem) {
+  return analytic::evaluate_criterion(problem, amplitude_width).critical_amplitude.midpoint();
+}
+
+// By a reaction with the exact steady part.
+double critical_amplitude(const data::Case& problem, const analytic::DampedReaction& reaction) {
+  return friction_limit(problem) /
+         analytic::DampedForce(reaction, angular_frequency(problem.excitation()), problem.numerics.duration())
+             .refined_to(amplitude_width)
+             .midpoint();
+}
+
+// a of a = 1 - q a², with q P the fall of P at the amplitude of the constant force.
+double with_draw_back(double q) { return 2.0 / (1.0 + std::sqrt(1.0 + 4.0 * q)); }
+
+}  // namespace
+
+const std::array<DomainGroup, 9>& domain_groups() {
+  static const std::array<DomainGroup, 9> groups{{
+      {"P/P_cr", &DomainCase::load, 0.02, 0.8, false, 0.02, 0.5},
+      {"Omega/omega_1", &DomainCase::frequency, 0.1, 6.0, true, 0.1, 4.0},
+      {"periods", &DomainCase::periods, 3.0, 300.0, true, 3.0, 300.0},
+      {"mu_s", &DomainCase::friction, 0.1, 0.8, false, 0.1, 0.8},
+      {"slenderness", &DomainCase::slenderness, 20.0, 1000.0, true, 69.0, 1000.0},
+      {"damping ratio", &DomainCase::damping, 1e-4, 0.05, true, 1e-4, 0.05},
+      {"chi", &DomainCase::direction, 0.0, 1.0, false, 0.0, 1.0},
+      {"k_t over that of the beam", &DomainCase::contact_stiffness, 10.0, 1e5, true, 1e3, 1e5},
+      {"spring over that of the beam", &DomainCase::spring, 1e-4, 1.0, true, 1e-4, 0.1},
+  }};
+  return groups;
+}
+
+DomainCase domain_case(const data::Case& paper, int index) {
+  DomainCase one =
+      index <= domain_cases ? sobol_point(index) : corner_point(paper.beam(), index - domain_cases - 1);
+  const data::Case problem = problem_of(paper, one);
+  const data::Beam& beam = problem.beam();
+  const int modes = problem.numerics.modes();
+  const double tip_stiffness =
+      3.0 * beam.youngs_modulus() * beam.second_moment_of_area() / std::pow(beam.length(), 3);
+  one.distance = 1.0;
+  for (const auto& mode : analytic::stick_modes(beam, modes))
+    one.distance =
+        std::min(one.distance, std::abs(problem.excitation().frequency_hz() / mode.frequency_hz() - 1.0));
+  const double limit = critical_amplitude(problem);
+  one.amplitude = limit / beam.length();
+  one.finite_elements = problem.excitation().amplitude() * friction_limit(problem) /
+                            solver::max_abs_friction_force(problem) / limit -
+                        1.0;
+  one.shear = critical_amplitude(with(problem, with_shear(beam))) / limit - 1.0;
+  one.direction_change =
+      critical_amplitude(with_value(problem, "beam.axial_direction", one.direction)) / limit - 1.0;
+  one.damping_change = critical_amplitude(with_value(problem, "damping.ratio", one.damping)) / limit - 1.0;
+  const analytic::HeldBeam held(beam, {}, modes);
+  one.contact_change =
+      critical_amplitude(
+          problem, analytic::compliant_reaction(held.structure(), one.contact_stiffness * tip_stiffness)) /
+          critical_amplitude(problem,
+                             analytic::damped_reaction(held.structure(), analytic::SteadyPart::exact)) -
+      1.0;
+  const double draw_back =
+      held_bending(problem).value().draw_back * std::pow(limit / problem.excitation().amplitude(), 2);
+  one.draw_back = with_draw_back(one.spring * tip_stiffness * draw_back / beam.axial_force()) - 1.0;
+  return one;
+}
+
+bool is_in_margin(const DomainCase& one) {
+  return one.distance >= resonance_distance &&
+         std::ranges::all_of(domain_groups(), [&](const DomainGroup& group) {
+           return one.*group.value >= group.margin_least && one.*group.value <= group.margin_greatest;
+         });
+}
+
+std::string domain_text(const std::vector<DomainCase>& cases) {
+  std::string text;
+  for (const auto& [name, value] : domain_columns) text += text.empty() ? name : std::string(",") + name;
+  for (const DomainCase& one : cases)
+    for (const auto& [name, value] : domain_columns)
+      text += fmt::format("{}{:.6g}", value == &DomainCase::index ? "\n" : ",", one.*value);
+  return text + "\n";
+}
+
+std::vector<DomainCase> read_domain(const std::filesystem::path& file) {
+  const std::string text = data::read_table_text(file);
+  data::CsvReader reader(file, text);
+  std::vector<DomainCase> cases;
+  while (const auto row = reader.next_row()) {
+    DomainCase& one = cases.emplace_back();
+    for (std::size_t i = 0; i < domain_columns.size(); ++i)
+      one.*domain_columns[i].second = reader.number(row->at(i)).value();
+  }
+  return cases;
+}
+
+void require_same(const DomainCase& kept, const DomainCase& computed) {
+  for (const auto& [name, value] : domain_columns)
+    if (std::abs(kept.*value - computed.*value) > std::max(1e-5, 1e-4 * std::abs(computed.*value)))
+      throw std::runtime_error(
+          fmt::format("claimed-domain.csv: {} of case {} is {:.6g}, but {:.6g} is computed; the slow test "
+                      "ClaimedDomain makes the file again",
+                      name, kept.index, kept.*value, computed.*value));
+}
+
+std::vector<DomainCase> drawn_rows(std::vector<DomainCase> cases, std::size_t count, std::string_view text) {
+  std::seed_seq seed(text.begin(), text.end());
+  std::mt19937 random(seed);
+  std::ranges::shuffle(cases, random);
+  cases.resize(std::min(count, cases.size()));
+  return cases;
+}
+
+namespace {
+
+ModelDeviation deviation(std::string model, const std::vector<DomainCase>& cases,
+                         const std::function<double(const DomainCase&)>& change) {
+  ModelDeviation result;
+  result.model = std::move(model);
+  std::vector<double> changes;
+  for (const DomainCase& one : cases) {
+    const double by = change(one);
+    if (one.index <= domain_cases) changes.push_back(by);
+    if (-by > result.worst) {
+      result.worst = -by;
+      result.place = one;
+    }
+  }
+  result.cases = changes.size();
+  result.bias = gsl_stats_mean(changes.data(), 1, changes.size());
+  result.spread = gsl_stats_sd(changes.data(), 1, changes.size());
+  result.unsafe_share =
+      static_cast<double>(std::ranges::count_if(changes, [](double by) { return by < -1e-4; })) /
+      static_cast<double>(changes.size());
+  return result;
+}
+
+std::vector<ModelDeviation> domain_deviations(const std::vector<DomainCase>& cases) {
+  std::vector<ModelDeviation> result;
+  for (const auto& [name, change] : domain_models)
+    result.push_back(
+        deviation(name, cases, [change = change](const DomainCase& one) { return one.*change; }));
+  result.push_back(deviation("all together", cases, [](const DomainCase& one) {
+    double factor = 1.0;
+    for (const auto& [name, change] : domain_models) factor *= 1.0 + std::min(0.0, one.*change);
+    return factor - 1.0;
+  }));
+  return result;
+}
+
+}  // namespace
+
+ClaimedDomain claimed_domain(const data::Case& paper, const std::filesystem::path& file, std::size_t count,
+                             std::string_view text) {
+  ClaimedDomain result;
+  result.cases = read_domain(file);
+  const std::vector<DomainCase> drawn = drawn_rows(result.cases, count, text);
+  in_parallel(drawn.size(), [&](std::size_t i) {
+    require_same(drawn[i], domain_case(paper, static_cast<int>(drawn[i].index)));
+  });
+  result.recomputed = drawn.size();
+  result.box = domain_deviations(result.cases);
+  std::vector<DomainCase> inside;
+  std::ranges::copy_if(result.cases, std::back_inserter(inside), is_in_margin);
+  result.margin = domain_deviations(inside);
+  return result;
+}
+
+}  // namespace stickslip::studies
