@@ -1,29 +1,19 @@
 # SPDX-License-Identifier: MIT
-# Cases (rows) in dimensionless groups (panels): points, and shaded from the least to the greatest of each group.
+# Critical amplitude by finite elements and in other models (rows) over that of the closed form; cases beyond the axis stand on its ends.
 width = 16
-height = 7.4
+height = 6.5
 load 'style.gp'
 file = folder.'domain.csv'
-array names[6] = ['P/P_{cr}', 'L√(A/I)', 'Ω/ω_1', 'μ_s', 'αA_0Ω', 'ζ_1 / %']
-array ranges[6] = ['-0.5:1.3', '5:4000', '0.07:15', '0.2:0.7', '-0.01:0.19', '-0.1:1.2']
-array marks[6] = ['0, 0.5, 1', "'10' 10, '10^2' 100, '10^3' 1000", "'0.1' 0.1, '1' 1, '10' 10", '0.3, 0.5', '0, 0.1', '0, 0.5, 1']
-set tmargin at screen 0.97
-set bmargin at screen 0.15
-unset key
-set multiplot
-do for [k = 1:6] {
-  group = sprintf('(column(%d) * %g)', k + 1, k == 6 ? 100 : 1)
-  set autoscale
-  unset logscale
-  eval 'stats file using '.group." name 'group' nooutput"
-  set object 1 rectangle from group_min, graph 0 to group_max, graph 1 behind fillcolor rgb stick_fill fillstyle solid noborder
-  if (k == 2 || k == 3) { set logscale x }
-  eval 'set xrange ['.ranges[k].']'
-  set yrange [group_records - 0.5:-0.5]
-  eval 'set xtics ('.marks[k].')'
-  if (k == 2) { set ytics format '' }
-  set xlabel names[k] offset 0, 0.4
-  set lmargin at screen 0.205 + 0.132 * (k - 1)
-  set rmargin at screen 0.315 + 0.132 * (k - 1)
-  eval 'plot file using '.group.':0'.(k == 1 ? ':ytic(1)' : '').' with points pointtype 7 pointsize 0.6 linecolor rgb blue'
-}
+set logscale x
+set xrange [0.18:5.5]
+set xtics ('0.2' 0.2, '0.5' 0.5, '0.8' 0.8, '1' 1, '1.25' 1.25, '2' 2, '5' 5)
+set yrange [5.55:-0.55]
+set xlabel 'critical amplitude over that of the closed form' offset 0, 0.4
+set key above horizontal center samplen 1
+set arrow 1 from 1, graph 0 to 1, graph 1 nohead linecolor rgb black linewidth 0.8 back
+shown(x) = x < 0.2 ? 0.2 : x > 5 ? 5 : x
+at(row, n) = row + 0.7 * ((n * 0.6180339887) - floor(n * 0.6180339887) - 0.5)
+of(place, x) = column(5) == place ? shown(x) : NaN
+plot file using (of(0, $4)):(at($2, $3)):ytic(1) with points pointtype 6 pointsize 0.25 linecolor rgb '#AAAAAA' title 'outside the domain of the margin', \
+     '' using (of(1, $4)):(at($2, $3)) with points pointtype 7 pointsize 0.3 linecolor rgb blue title 'in it', \
+     '' using (of(2, $4)):(at($2, $3)) with points pointtype 2 pointsize 0.6 linecolor rgb vermillion linewidth 1.5 title 'at its corners'

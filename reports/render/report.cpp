@@ -89,7 +89,8 @@ std::vector<std::string> write_report(const ReportOptions& options) {
     return fmt::format("interrupted after {:.0f} % of the report; what is finished is in {}",
                        100.0 * progress.share(), output.folder().string());
   });
-  Results results([&](const std::string& what) { progress.stage(what); }, values, options.overrides);
+  Results results([&](const std::string& what) { progress.stage(what); }, values, options.overrides,
+                  options.commit);
 
   const bool whole = options.only.empty();
   if (whole)

@@ -23,9 +23,9 @@ class Study;
 class Results {
  public:
   /// `announce` is told what starts, before each study; `folder` receives each result as <name>.json.
-  /// The overrides apply to each case.
+  /// The overrides apply to each case. The text draws the rows of the claimed domain that are computed again.
   Results(std::function<void(const std::string&)> announce, std::filesystem::path folder,
-          const std::vector<data::Override>& overrides = {});
+          const std::vector<data::Override>& overrides = {}, std::string text = {});
 
   template <typename Result>
   const Result& operator()(const Study<Result>& study);
@@ -34,6 +34,7 @@ class Results {
   /// fraction of studies that are done, 0 to 1.
   void run_all(const std::function<void(double)>& progress);
 
+  const std::string drawn_by;
   const data::Case paper, damped, half_stiffness, flat_section;
 
  private:

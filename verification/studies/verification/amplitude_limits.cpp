@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "studies/verification/amplitude_limits.hpp"
 
-#include <gsl/gsl_statistics_double.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -21,39 +19,12 @@ namespace {
 
 constexpr double width = 1e-6;
 
-ModelMargin margin_of(const char* model, double AmplitudeLimit::*amplitude, const AmplitudeLimits& study,
-                      const std::vector<double>& natural_hz) {
-  ModelMargin margin{model, 0.0, 0.0};
-  for (const AmplitudeLimit& limit : study.limits) {
-    const double hz = limit.frequency_hz, fall = 1.0 - limit.*amplitude / limit.start_up;
-    const bool near = std::ranges::any_of(
-        natural_hz, [&](double natural) { return std::abs(hz / natural - 1.0) < study.resonance; });
-    if (!near && fall > margin.fall) margin = {model, fall, hz};
-  }
-  return margin;
-}
-
-void compare(AmplitudeLimits& study, const std::vector<CriticalAmplitudeSearch>& finite_elements) {
-  std::vector<double> errors;
-  for (const CriticalAmplitudeSearch& search : finite_elements)
-    for (const AmplitudeLimit& limit : study.limits)
-      if (limit.frequency_hz == search.frequency_hz) {
-        errors.push_back(search.linear / limit.start_up - 1.0);
-        study.largest = std::max(study.largest, std::abs(errors.back()));
-      }
-  study.compared = static_cast<int>(errors.size());
-  study.bias = gsl_stats_mean(errors.data(), 1, errors.size());
-  study.spread = gsl_stats_sd(errors.data(), 1, errors.size());
-}
-
 }  // namespace
 
 AmplitudeLimits amplitude_limits(const data::Case& paper, const data::Case& damped,
-                                 const std::vector<double>& frequencies_hz,
-                                 const std::vector<CriticalAmplitudeSearch>& finite_elements) {
+                                 const std::vector<double>& frequencies_hz) {
   AmplitudeLimits study;
   study.contact_stiffness = 1000.0;
-  study.resonance = 0.1;
   const data::Beam& beam = paper.beam();
   const int modes = paper.numerics.modes();
   const double friction = friction_limit(paper), duration = paper.numerics.duration();
@@ -87,13 +58,6 @@ AmplitudeLimits amplitude_limits(const data::Case& paper, const data::Case& damp
                        .fixed_direction = undamped_limit(fixed),
                        .compliant = limit(compliant)};
   });
-  std::vector<double> natural_hz;
-  for (const auto& mode : analytic::stick_modes(beam, modes)) natural_hz.push_back(mode.frequency_hz());
-  study.margins = {
-      margin_of("Shear and rotary inertia", &AmplitudeLimit::shear, study, natural_hz),
-      margin_of("Axial force of fixed direction", &AmplitudeLimit::fixed_direction, study, natural_hz),
-      margin_of("Contact that yields", &AmplitudeLimit::compliant, study, natural_hz)};
-  compare(study, finite_elements);
   return study;
 }
 

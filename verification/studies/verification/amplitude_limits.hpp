@@ -9,7 +9,6 @@
 
 #include "stickslip/data/problem.hpp"
 #include "stickslip/data/uncertainty.hpp"
-#include "studies/analyses/criterion_answer.hpp"
 #include "studies/common/members.hpp"
 #include "studies/verification/force_maximum.hpp"
 
@@ -28,30 +27,15 @@ STICKSLIP_MEMBERS(AmplitudeLimit, (frequency_hz, "Hz"), (start_up, "m"), (steady
                   (damped_start_up, "m"), (damped_steady, "m"), (shear, "m"), (fixed_direction, "m"),
                   (compliant, "m"))
 
-/// The largest relative fall of the critical amplitude in another model, at frequencies that are farther than
-/// AmplitudeLimits::resonance from each natural frequency of the stick state.
-struct ModelMargin {
-  std::string model;
-  double fall{}, frequency_hz{};
-};
-STICKSLIP_MEMBERS(ModelMargin, (model, "-"), (fall, "1"), (frequency_hz, "Hz"))
-
 struct AmplitudeLimits {
   std::vector<AmplitudeLimit> limits;
-  double contact_stiffness{}, resonance{};  ///< as above
-  std::vector<ModelMargin> margins;
-  /// Critical amplitudes of finite elements (CriticalAmplitudeSearch::linear) over start_up, of all frequencies that both
-  /// have: mean minus one, standard deviation, and largest distance from one.
-  double bias{}, spread{}, largest{};
-  int compared{};
+  double contact_stiffness{};  ///< as above
 };
-STICKSLIP_MEMBERS(AmplitudeLimits, (limits), (contact_stiffness, "1"), (resonance, "1"), (margins),
-                  (bias, "1"), (spread, "1"), (largest, "1"), (compared, "1"))
+STICKSLIP_MEMBERS(AmplitudeLimits, (limits), (contact_stiffness, "1"))
 
 /// `damped` gives the damping. Uses thread_count() threads; the result does not depend on their number.
 [[nodiscard]] AmplitudeLimits amplitude_limits(const data::Case& paper, const data::Case& damped,
-                                               const std::vector<double>& frequencies_hz,
-                                               const std::vector<CriticalAmplitudeSearch>& finite_elements);
+                                               const std::vector<double>& frequencies_hz);
 
 /// What one cause does to the critical amplitude of a start-up at one frequency, relative: the most that it takes away,
 /// and the most that it adds.

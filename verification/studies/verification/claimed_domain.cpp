@@ -14,6 +14,7 @@
 #include "stickslip/analytic/damped_reaction.hpp"
 #include "stickslip/analytic/held_beam.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
+#include "stickslip/data/case_file.hpp"
 #include "stickslip/data/csv_text.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "studies/analyses/criterion_answer.hpp"
@@ -27,20 +28,13 @@ namespace {
 constexpr double amplitude_width = 1e-6;
 
 using Column = std::pair<const char*, double DomainCase::*>;
-constexpr std::array<Column, 6> domain_models{
-    {{"finite elements", &DomainCase::finite_elements},
-     {"shear and rotary inertia", &DomainCase::shear},
-     {"axial force of another direction", &DomainCase::direction_change},
-     {"contact that yields", &DomainCase::contact_change},
-     {"damping", &DomainCase::damping_change},
-     {"draw-back of the tip", &DomainCase::draw_back}}};
 
 constexpr std::array<Column, 18> domain_columns{{{"index", &DomainCase::index},
                                                  {"load", &DomainCase::load},
                                                  {"frequency", &DomainCase::frequency},
-                                                 {"periods", &DomainCase::periods},
+                                                 {"\\omega_1T/2\\pi", &DomainCase::periods},
                                                  {"friction", &DomainCase::friction},
-                                                 {"slenderness", &DomainCase::slenderness},
+                                                 {"L/r", &DomainCase::slenderness},
                                                  {"damping", &DomainCase::damping},
                                                  {"direction", &DomainCase::direction},
                                                  {"contact_stiffness", &DomainCase::contact_stiffness},
@@ -123,17 +117,28 @@ double with_draw_back(double q) { return 2.0 / (1.0 + std::sqrt(1.0 + 4.0 * q));
 
 }  // namespace
 
+const std::vector<std::pair<std::string, double DomainCase::*>>& domain_models() {
+  static const std::vector<std::pair<std::string, double DomainCase::*>> models{
+      {"finite elements", &DomainCase::finite_elements},
+      {"shear and rotary inertia", &DomainCase::shear},
+      {"contact that yields", &DomainCase::contact_change},
+      {"draw-back of the tip", &DomainCase::draw_back},
+      {"axial force of another direction", &DomainCase::direction_change},
+      {"damping", &DomainCase::damping_change}};
+  return models;
+}
+
 const std::array<DomainGroup, 9>& domain_groups() {
   static const std::array<DomainGroup, 9> groups{{
-      {"P/P_cr", &DomainCase::load, 0.02, 0.8, false, 0.02, 0.5},
-      {"Omega/omega_1", &DomainCase::frequency, 0.1, 6.0, true, 0.1, 4.0},
-      {"periods", &DomainCase::periods, 3.0, 300.0, true, 3.0, 300.0},
-      {"mu_s", &DomainCase::friction, 0.1, 0.8, false, 0.1, 0.8},
-      {"slenderness", &DomainCase::slenderness, 20.0, 1000.0, true, 69.0, 1000.0},
-      {"damping ratio", &DomainCase::damping, 1e-4, 0.05, true, 1e-4, 0.05},
-      {"chi", &DomainCase::direction, 0.0, 1.0, false, 0.0, 1.0},
-      {"k_t over that of the beam", &DomainCase::contact_stiffness, 10.0, 1e5, true, 1e3, 1e5},
-      {"spring over that of the beam", &DomainCase::spring, 1e-4, 1.0, true, 1e-4, 0.1},
+      {"P/P_{cr}", &DomainCase::load, 0.02, 0.8, false, 0.02, 0.5},
+      {"\\Omega/\\omega_1", &DomainCase::frequency, 0.1, 6.0, true, 0.1, 4.0},
+      {"\\omega_1T/2\\pi", &DomainCase::periods, 3.0, 300.0, true, 3.0, 300.0},
+      {"\\mu_s", &DomainCase::friction, 0.1, 0.8, false, 0.1, 0.8},
+      {"L/r", &DomainCase::slenderness, 20.0, 1000.0, true, 69.0, 1000.0},
+      {"\\zeta", &DomainCase::damping, 1e-4, 0.05, true, 1e-4, 0.05},
+      {"\\chi", &DomainCase::direction, 0.0, 1.0, false, 0.0, 1.0},
+      {"k_tL^3/3EI", &DomainCase::contact_stiffness, 10.0, 1e5, true, 1e3, 1e5},
+      {"k_PL^3/3EI", &DomainCase::spring, 1e-4, 1.0, true, 1e-4, 0.1},
   }};
   return groups;
 }
@@ -186,6 +191,11 @@ std::string domain_text(const std::vector<DomainCase>& cases) {
     for (const auto& [name, value] : domain_columns)
       text += fmt::format("{}{:.6g}", value == &DomainCase::index ? "\n" : ",", one.*value);
   return text + "\n";
+}
+
+std::filesystem::path domain_file() {
+  return data::find_case("paper").parent_path().parent_path().parent_path() / "verification" / "studies" /
+         "claimed-domain.csv";
 }
 
 std::vector<DomainCase> read_domain(const std::filesystem::path& file) {
@@ -243,12 +253,12 @@ ModelDeviation deviation(std::string model, const std::vector<DomainCase>& cases
 
 std::vector<ModelDeviation> domain_deviations(const std::vector<DomainCase>& cases) {
   std::vector<ModelDeviation> result;
-  for (const auto& [name, change] : domain_models)
+  for (const auto& [name, change] : domain_models())
     result.push_back(
         deviation(name, cases, [change = change](const DomainCase& one) { return one.*change; }));
   result.push_back(deviation("all together", cases, [](const DomainCase& one) {
     double factor = 1.0;
-    for (const auto& [name, change] : domain_models) factor *= 1.0 + std::min(0.0, one.*change);
+    for (const auto& [name, change] : domain_models()) factor *= 1.0 + std::min(0.0, one.*change);
     return factor - 1.0;
   }));
   return result;
@@ -256,15 +266,15 @@ std::vector<ModelDeviation> domain_deviations(const std::vector<DomainCase>& cas
 
 }  // namespace
 
-ClaimedDomain claimed_domain(const data::Case& paper, const std::filesystem::path& file, std::size_t count,
-                             std::string_view text) {
+ClaimedDomain claimed_domain(const data::Case& paper, std::size_t count, std::string_view text) {
   ClaimedDomain result;
-  result.cases = read_domain(file);
+  result.cases = read_domain(domain_file());
   const std::vector<DomainCase> drawn = drawn_rows(result.cases, count, text);
   in_parallel(drawn.size(), [&](std::size_t i) {
     require_same(drawn[i], domain_case(paper, static_cast<int>(drawn[i].index)));
   });
   result.recomputed = drawn.size();
+  result.groups.assign(domain_groups().begin(), domain_groups().end());
   result.box = domain_deviations(result.cases);
   std::vector<DomainCase> inside;
   std::ranges::copy_if(result.cases, std::back_inserter(inside), is_in_margin);

@@ -44,12 +44,14 @@ STICKSLIP_MEMBERS(DomainCase, (index, "1"), (load, "1"), (frequency, "1"), (peri
 
 /// A group of the box: least and greatest value, and the least and the greatest with which the margin holds.
 struct DomainGroup {
-  std::string_view name;
+  std::string name;
   double DomainCase::*value;
   double least, greatest;
   bool is_log;
   double margin_least, margin_greatest;
 };
+/// The names of the models, and the changes by them.
+[[nodiscard]] const std::vector<std::pair<std::string, double DomainCase::*>>& domain_models();
 /// In the order of the coordinates of the Sobol' points.
 [[nodiscard]] const std::array<DomainGroup, 9>& domain_groups();
 inline constexpr double resonance_distance = 0.1;  ///< the least distance with which the margin holds
@@ -62,6 +64,8 @@ inline constexpr int domain_cases = 512, domain_corners = 16;
 /// Whether the margin holds there: in the narrower box and away from resonance.
 [[nodiscard]] bool is_in_margin(const DomainCase& one);
 
+/// verification/studies/claimed-domain.csv, next to the folder of the cases.
+[[nodiscard]] std::filesystem::path domain_file();
 [[nodiscard]] std::vector<DomainCase> read_domain(const std::filesystem::path& file);
 [[nodiscard]] std::string domain_text(const std::vector<DomainCase>& cases);
 /// Throws std::runtime_error, naming row and column, if two rows differ by more than 1e-4 of the value or 1e-5, whichever is more: six
@@ -83,16 +87,22 @@ struct ModelDeviation {
 STICKSLIP_MEMBERS(ModelDeviation, (model, "-"), (cases, "1"), (bias, "1"), (spread, "1"), (worst, "1"),
                   (place), (unsafe_share, "1"))
 
+STICKSLIP_MEMBERS(DomainGroup, (name, "-"), (least, "1"), (greatest, "1"), (margin_least, "1"),
+                  (margin_greatest, "1"))
+
 struct ClaimedDomain {
   std::vector<DomainCase> cases;
   std::vector<ModelDeviation> box,
       margin;  ///< by model; the last is all models together, the falls one on top of the other
+  std::vector<DomainGroup> groups;
+  double distance{resonance_distance};
+  int points{domain_cases}, corners{domain_corners};
   std::size_t recomputed{};
 };
-STICKSLIP_MEMBERS(ClaimedDomain, (cases), (box), (margin), (recomputed, "1"))
+STICKSLIP_MEMBERS(ClaimedDomain, (cases), (box), (margin), (groups), (distance, "1"), (points, "1"),
+                  (corners, "1"), (recomputed, "1"))
 
 /// Computes `count` rows of the file again, drawn by `text`. Throws what require_same() throws.
-[[nodiscard]] ClaimedDomain claimed_domain(const data::Case& paper, const std::filesystem::path& file,
-                                           std::size_t count, std::string_view text);
+[[nodiscard]] ClaimedDomain claimed_domain(const data::Case& paper, std::size_t count, std::string_view text);
 
 }  // namespace stickslip::studies
