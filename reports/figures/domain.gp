@@ -4,16 +4,22 @@ width = 16
 height = 6.5
 load 'style.gp'
 file = folder.'domain.csv'
+stats file using 2 name 'rows' nooutput
+cases = int(rows_records / (rows_max + 1))
 set logscale x
 set xrange [0.18:5.5]
 set xtics ('0.2' 0.2, '0.5' 0.5, '0.8' 0.8, '1' 1, '1.25' 1.25, '2' 2, '5' 5)
 set yrange [5.55:-0.55]
 set xlabel 'critical amplitude over that of the closed form' offset 0, 0.4
+set ytics scale 0
+unset grid
+set grid xtics
 set key above horizontal center samplen 1
 set arrow 1 from 1, graph 0 to 1, graph 1 nohead linecolor rgb black linewidth 0.8 back
 shown(x) = x < 0.2 ? 0.2 : x > 5 ? 5 : x
 at(row, n) = row + 0.7 * ((n * 0.6180339887) - floor(n * 0.6180339887) - 0.5)
 of(place, x) = column(5) == place ? shown(x) : NaN
-plot file using (of(0, $4)):(at($2, $3)):ytic(1) with points pointtype 6 pointsize 0.25 linecolor rgb '#AAAAAA' title 'outside the domain of the margin', \
-     '' using (of(1, $4)):(at($2, $3)) with points pointtype 7 pointsize 0.3 linecolor rgb blue title 'in it', \
+plot file every cases using (1):2:ytic(1) with dots linecolor rgb 'white' notitle, \
+     '' using (of(0, $4)):(at($2, $3)) with points pointtype 6 pointsize 0.25 linecolor rgb '#AAAAAA' title 'outside', \
+     '' using (of(1, $4)):(at($2, $3)) with points pointtype 7 pointsize 0.3 linecolor rgb blue title 'in the domain of the margin', \
      '' using (of(2, $4)):(at($2, $3)) with points pointtype 2 pointsize 0.6 linecolor rgb vermillion linewidth 1.5 title 'at its corners'

@@ -590,7 +590,10 @@ FigureData domain(Results& r) {
   for (const auto& [model, change] : studies::domain_models()) {
     for (const studies::DomainCase& one : r(claimed_domain).cases) {
       table.add(model).add(row).add(one.index).add(1.0 + one.*change);
-      table.add(one.index > studies::domain_cases ? 2.0 : studies::is_in_margin(one) ? 1.0 : 0.0).end_row();
+      table.add(one.index > 2 * studies::domain_cases ? 2.0
+                : studies::is_in_margin(one)          ? 1.0
+                                                      : 0.0)
+          .end_row();
     }
     row += 1.0;
   }

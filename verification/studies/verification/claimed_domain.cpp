@@ -53,19 +53,22 @@ DomainCase sobol_point(int index) {
   const std::unique_ptr<gsl_qrng, decltype(&gsl_qrng_free)> points(
       gsl_qrng_alloc(gsl_qrng_sobol, static_cast<unsigned>(groups.size())), gsl_qrng_free);
   std::array<double, std::tuple_size_v<std::remove_cvref_t<decltype(groups)>>> x{};
-  for (int i = 0; i < index; ++i) gsl_qrng_get(points.get(), x.data());
+  const bool inside = index > domain_cases;
+  for (int i = inside ? domain_cases : 0; i < index; ++i) gsl_qrng_get(points.get(), x.data());
   DomainCase point{.index = static_cast<double>(index)};
-  for (std::size_t i = 0; i < groups.size(); ++i)
-    point.*groups[i].value = groups[i].is_log
-                                 ? groups[i].least * std::pow(groups[i].greatest / groups[i].least, x[i])
-                                 : groups[i].least + (groups[i].greatest - groups[i].least) * x[i];
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    const double least = inside ? groups[i].margin_least : groups[i].least,
+                 greatest = inside ? groups[i].margin_greatest : groups[i].greatest;
+    point.*groups[i].value =
+        groups[i].is_log ? least * std::pow(greatest / least, x[i]) : least + (greatest - least) * x[i];
+  }
   return point;
 }
 
 // Corner 0, 1, ... of the domain of the margin: bit 0 chooses the load, bit 1 the duration, the others the frequency: the least, and the
 // edges of the bands about the first two natural frequencies. All else is where the other models differ most.
 DomainCase corner_point(const data::Beam& beam, int corner) {
-  DomainCase point{.index = static_cast<double>(domain_cases + 1 + corner)};
+  DomainCase point{.index = static_cast<double>(2 * domain_cases + 1 + corner)};
   for (const DomainGroup& group : domain_groups())
     point.*group.value =
         group.value == &DomainCase::slenderness || group.value == &DomainCase::contact_stiffness
@@ -144,8 +147,8 @@ const std::array<DomainGroup, 9>& domain_groups() {
 }
 
 DomainCase domain_case(const data::Case& paper, int index) {
-  DomainCase one =
-      index <= domain_cases ? sobol_point(index) : corner_point(paper.beam(), index - domain_cases - 1);
+  DomainCase one = index <= 2 * domain_cases ? sobol_point(index)
+                                             : corner_point(paper.beam(), index - 2 * domain_cases - 1);
   const data::Case problem = problem_of(paper, one);
   const data::Beam& beam = problem.beam();
   const int modes = problem.numerics.modes();
@@ -236,7 +239,7 @@ ModelDeviation deviation(std::string model, const std::vector<DomainCase>& cases
   std::vector<double> changes;
   for (const DomainCase& one : cases) {
     const double by = change(one);
-    if (one.index <= domain_cases) changes.push_back(by);
+    if (one.index <= 2 * domain_cases) changes.push_back(by);
     if (-by > result.worst) {
       result.worst = -by;
       result.place = one;
@@ -275,9 +278,13 @@ ClaimedDomain claimed_domain(const data::Case& paper, std::size_t count, std::st
   });
   result.recomputed = drawn.size();
   result.groups.assign(domain_groups().begin(), domain_groups().end());
-  result.box = domain_deviations(result.cases);
-  std::vector<DomainCase> inside;
-  std::ranges::copy_if(result.cases, std::back_inserter(inside), is_in_margin);
+  std::vector<DomainCase> box, inside;
+  for (const DomainCase& one : result.cases)
+    if (one.index <= domain_cases)
+      box.push_back(one);
+    else if (is_in_margin(one))
+      inside.push_back(one);
+  result.box = domain_deviations(box);
   result.margin = domain_deviations(inside);
   return result;
 }

@@ -57,8 +57,9 @@ struct DomainGroup {
 inline constexpr double resonance_distance = 0.1;  ///< the least distance with which the margin holds
 inline constexpr int domain_cases = 512, domain_corners = 16;
 
-/// Point `index` (1, 2, ...) of gsl_qrng_sobol in the box, and after domain_cases the corners of the domain of the margin; `paper` gives the flexural rigidity, mass per length, length, mesh, step and
-/// modes. Accuracy of the changes, bounds of 1e-6 apart: the modes kept.
+/// Case `index`: points 1 to domain_cases of gsl_qrng_sobol in the box, as many more points 1, 2, ... in the domain of the margin, and then
+/// its corners. `paper` gives the flexural rigidity, mass per length, length, mesh, step and modes. The bounds of each amplitude are
+/// 1e-6 apart; the modes kept are the same in all models, and the exact steady part is that of the contact that yields alone.
 [[nodiscard]] DomainCase domain_case(const data::Case& paper, int index);
 
 /// Whether the margin holds there: in the narrower box and away from resonance.
@@ -75,7 +76,7 @@ void require_same(const DomainCase& kept, const DomainCase& computed);
 [[nodiscard]] std::vector<DomainCase> drawn_rows(std::vector<DomainCase> cases, std::size_t count,
                                                  std::string_view text);
 
-/// Over the cases in the box or in the domain of the margin; mean, standard deviation and share without the corners.
+/// Over the points in the box, or over those of the domain of the margin that are away from resonance; the worst with the corners.
 struct ModelDeviation {
   std::string model;
   std::size_t cases{};

@@ -26,7 +26,7 @@ STICKSLIP_VERIFIES(ClaimedDomain, "X22");
 TEST(ClaimedDomain, IsWhatTheCodeMakes) {
   // With STICKSLIP_WRITE_DOMAIN=1 the file is made anew.
   const auto file = studies::domain_file();
-  std::vector<studies::DomainCase> cases(studies::domain_cases + studies::domain_corners);
+  std::vector<studies::DomainCase> cases(2 * studies::domain_cases + studies::domain_corners);
   studies::in_parallel(cases.size(), [&](std::size_t i) {
     cases[i] = studies::domain_case(data::load_case("paper"), static_cast<int>(i) + 1);
   });
