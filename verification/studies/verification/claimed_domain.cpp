@@ -27,26 +27,20 @@ namespace {
 
 constexpr double amplitude_width = 1e-6;
 
-using Column = std::pair<const char*, double DomainCase::*>;
-
-constexpr std::array<Column, 18> domain_columns{{{"index", &DomainCase::index},
-                                                 {"load", &DomainCase::load},
-                                                 {"frequency", &DomainCase::frequency},
-                                                 {"\\omega_1T/2\\pi", &DomainCase::periods},
-                                                 {"friction", &DomainCase::friction},
-                                                 {"L/r", &DomainCase::slenderness},
-                                                 {"damping", &DomainCase::damping},
-                                                 {"direction", &DomainCase::direction},
-                                                 {"contact_stiffness", &DomainCase::contact_stiffness},
-                                                 {"spring", &DomainCase::spring},
-                                                 {"distance", &DomainCase::distance},
-                                                 {"amplitude", &DomainCase::amplitude},
-                                                 {"finite_elements", &DomainCase::finite_elements},
-                                                 {"shear", &DomainCase::shear},
-                                                 {"direction_change", &DomainCase::direction_change},
-                                                 {"contact_change", &DomainCase::contact_change},
-                                                 {"damping_change", &DomainCase::damping_change},
-                                                 {"draw_back", &DomainCase::draw_back}}};
+struct Column {
+  const char* name;
+  double DomainCase::*value;
+};
+#define STICKSLIP_COLUMN(member) \
+  Column { #member, &DomainCase::member }
+constexpr std::array domain_columns{
+    STICKSLIP_COLUMN(index),           STICKSLIP_COLUMN(load),           STICKSLIP_COLUMN(frequency),
+    STICKSLIP_COLUMN(periods),         STICKSLIP_COLUMN(friction),       STICKSLIP_COLUMN(slenderness),
+    STICKSLIP_COLUMN(damping),         STICKSLIP_COLUMN(direction),      STICKSLIP_COLUMN(contact_stiffness),
+    STICKSLIP_COLUMN(spring),          STICKSLIP_COLUMN(distance),       STICKSLIP_COLUMN(amplitude),
+    STICKSLIP_COLUMN(finite_elements), STICKSLIP_COLUMN(shear),          STICKSLIP_COLUMN(direction_change),
+    STICKSLIP_COLUMN(contact_change),  STICKSLIP_COLUMN(damping_change), STICKSLIP_COLUMN(draw_back)};
+#undef STICKSLIP_COLUMN
 
 DomainCase sobol_point(int index) {
   const auto& groups = domain_groups();
@@ -208,7 +202,7 @@ std::vector<DomainCase> read_domain(const std::filesystem::path& file) {
   while (const auto row = reader.next_row()) {
     DomainCase& one = cases.emplace_back();
     for (std::size_t i = 0; i < domain_columns.size(); ++i)
-      one.*domain_columns[i].second = reader.number(row->at(i)).value();
+      one.*domain_columns[i].value = reader.number(row->at(i)).value();
   }
   return cases;
 }
