@@ -42,8 +42,8 @@ std::optional<ChebyshevTable> ChebyshevTable::of(
     if (!table.fill(values)) return std::nullopt;
     const auto converged = table.has_converged(allowed(table.largest_));
     if (converged[0] && converged[1]) return table;
-    for (const std::size_t side : {0, 1})
-      if (!converged[side]) counts[side] *= 2;
+    if (!converged[0]) counts[0] *= 2;
+    if (!converged[1]) counts[1] *= 2;
   }
   return std::nullopt;
 }
