@@ -5,6 +5,7 @@
 
 #include "comparison/comparison.hpp"
 #include "stickslip/data/atomic_file.hpp"
+#include "stickslip/data/case_file.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "studies/common/parallel.hpp"
 #include "studies/verification/claimed_domain.hpp"
