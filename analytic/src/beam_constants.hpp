@@ -23,6 +23,22 @@ namespace stickslip::analytic {
   return beam.axial_force() * beam.length() * beam.length() / bending_stiffness(beam);
 }
 
+/// √(EI/(ρ A L⁴)), 1/s: the unit of frequencies of a beam made dimensionless with L, EI and ρA.
+[[nodiscard]] inline double frequency_unit(const data::Beam& beam) {
+  return std::sqrt(bending_stiffness(beam) / mass_per_length(beam)) / (beam.length() * beam.length());
+}
+
+/// The beam with L = EI = ρA = 1 and this z and χ.
+[[nodiscard]] inline data::Beam dimensionless_beam(double load_factor, double axial_direction) {
+  return data::Beam({.length = 1.0,
+                     .area = 1.0,
+                     .second_moment_of_area = 1.0,
+                     .density = 1.0,
+                     .youngs_modulus = 1.0,
+                     .axial_force = load_factor,
+                     .axial_direction = axial_direction});
+}
+
 /// s² = EI/(k G A L²), dimensionless; 0 if the beam is rigid in shear.
 [[nodiscard]] inline double shear_flexibility(const data::Beam& beam) {
   if (beam.shear_stiffness() == 0.0) return 0.0;

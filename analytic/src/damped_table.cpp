@@ -20,10 +20,6 @@ using Values = ChebyshevTable::Values;
 
 constexpr std::size_t apart = 3, by_pair = 6;  // s, inertia, r; by pair p, q, a_u, b_u, a_v, b_v
 
-double frequency_unit(const data::Beam& beam) {
-  return std::sqrt(bending_stiffness(beam) / mass_per_length(beam)) / (beam.length() * beam.length());
-}
-
 // Which one, or none if there are several.
 enum class Kind { ratio, kelvin_voigt, mass_proportional, several };
 Kind kind_of(const data::Damping& damping) {
@@ -156,13 +152,7 @@ std::optional<DampedReactionTable> DampedReactionTable::of(const data::Case& fir
                                                            const Bounds& damping, int modes, SteadyPart part,
                                                            std::size_t most_points) {
   const auto at = [&](double z, double q) -> std::optional<Values> {
-    const data::Beam beam({.length = 1.0,
-                           .area = 1.0,
-                           .second_moment_of_area = 1.0,
-                           .density = 1.0,
-                           .youngs_modulus = 1.0,
-                           .axial_force = z,
-                           .axial_direction = first.beam().axial_direction()});
+    const data::Beam beam = dimensionless_beam(z, first.beam().axial_direction());
     HeldStructure structure = HeldBeam(beam, dimensionless(first.damping, q), modes).structure();
     structure.wall_share = wall_share(first);
     try {

@@ -22,13 +22,7 @@ using Functions = std::vector<double>;
 
 /// 1/(L³ S'''(L)), then Ω_n² and Ω_n² c_n L³/EI by mode, from the beam with L = EI = ρ A = 1.
 Functions tabulated_functions(double load_factor, double axial_direction, int modes) {
-  const data::Beam beam({.length = 1.0,
-                         .area = 1.0,
-                         .second_moment_of_area = 1.0,
-                         .density = 1.0,
-                         .youngs_modulus = 1.0,
-                         .axial_force = load_factor,
-                         .axial_direction = axial_direction});
+  const data::Beam beam = dimensionless_beam(load_factor, axial_direction);
   Functions values{1.0 / QuasiStaticShape(beam).third_derivative(1.0)};
   for (const ModalForce& mode : modal_forces(beam, modes)) {
     const double squared = mode.angular_frequency * mode.angular_frequency;
@@ -89,7 +83,7 @@ ModalReaction ModalReactionTable::at(const data::Beam& beam) const {
   const Functions values = table_->at(z, 0.0);
   const double length = beam.length();
   const double stiffness = bending_stiffness(beam) / (length * length * length);  // EI/L³
-  const double frequency = std::sqrt(stiffness / (mass_per_length(beam) * length));
+  const double frequency = frequency_unit(beam);
   const double slope_share =
       1.0 - axial_direction_ * (1.0 - std::cos(std::sqrt(z)));  // S''' + χ p S' over S'''
   ModalReaction reaction{.quasi_static = stiffness / values[0] * slope_share, .modes = {}};
