@@ -270,9 +270,6 @@ class DampedForce::Search {
       beats_value_ += b * force.duration_;
       beats_third_ += b * (cubed(w) * force.duration_ + w * w + w * o + o * o);
     }
-    upper_ = force.upper_bound();
-    if (upper_ <= enough_) return;
-    upper_ = 0.0;
     double end = force.duration_;
     if (const auto settled = settling_time()) {
       end = *settled;
@@ -402,6 +399,7 @@ Bounds DampedForce::refined_to(double relative_width) const {
 
 Bounds DampedForce::refined_to(double relative_width, double enough, double too_much) const {
   require_relative_width(relative_width);
+  if (const double most = upper_bound(); most <= enough) return {0.0, most};
   return Search(*this, relative_width, enough, too_much).bounds();
 }
 

@@ -430,6 +430,7 @@ Bounds ForceMaximum::refined_to(double relative_width) const {
 
 Bounds ForceMaximum::refined_to(double relative_width, double enough, double too_much) const {
   require_relative_width(relative_width);
+  if (const double most = upper_bound(); most <= enough) return {0.0, most};
   return Search(*this, relative_width, enough, too_much).bounds();
 }
 
@@ -438,8 +439,6 @@ double ForceMaximum::upper_bound() const {
   return truncations_.front().rest + std::abs(sinusoids_.front().amplitude) + rounding_;
 }
 
-bool ForceMaximum::exceeds(double limit) const {
-  return upper_bound() > limit && refined_to(1e-10, limit, limit).lower > limit;
-}
+bool ForceMaximum::exceeds(double limit) const { return refined_to(1e-10, limit, limit).lower > limit; }
 
 }  // namespace stickslip::analytic

@@ -174,8 +174,7 @@ Bounds StickReaction::largest_against(std::optional<double> limit, double relati
   const double by = kept_->omitted.start_up;
   const auto bounds = [&](const auto& force) {
     if (!limit) return force.refined_to(relative_width);
-    const double enough = std::max(0.0, *limit - by), most = force.upper_bound();
-    return most <= enough ? Bounds{0.0, most} : force.refined_to(relative_width, enough, *limit + by);
+    return force.refined_to(relative_width, std::max(0.0, *limit - by), *limit + by);
   };
   return widened(
       kept_->damped ? bounds(damped_force()) : bounds(ForceMaximum(*kept_->undamped, omega_, duration_)), by);
