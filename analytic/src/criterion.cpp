@@ -16,8 +16,12 @@ double amplitude_at(double limit, double per_unit) {
   return per_unit > 0.0 ? limit / per_unit : std::numeric_limits<double>::infinity();
 }
 
+double friction_limit(const data::Case& problem) {
+  return problem.contact.friction.static_coefficient() * problem.normal_force();
+}
+
 Criterion criterion_of(const data::Case& problem, const Bounds& per_unit) {
-  const double limit = problem.contact.friction.static_coefficient() * problem.normal_force();
+  const double limit = friction_limit(problem);
   const Bounds force = load(problem) * per_unit;
   return {.force_max = force,
           .friction_limit = limit,
@@ -67,11 +71,10 @@ Criterion criterion_with_all_modes(const data::Case& problem, double relative_wi
 Verdict verdict_with_all_modes(const data::Case& problem, const StickReactions& reactions,
                                double relative_width) {
   require_contact(problem);
-  const double limit = problem.contact.friction.static_coefficient() * problem.normal_force();
   if (load(problem) == 0.0) return Verdict::stick;
+  const double of_unit = friction_limit(problem) / load(problem);
   const auto [first, most] = modes_of_all(problem, true);
   for (int modes = first;; modes = std::min(2 * modes, most)) {
-    const double of_unit = limit / load(problem);
     const Verdict verdict =
         verdict_of(reactions.of(problem, modes).largest_against(of_unit, relative_width), of_unit);
     if (verdict != Verdict::undecided || modes == most) return verdict;
