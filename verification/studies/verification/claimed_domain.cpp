@@ -6,10 +6,15 @@
 #include <gsl/gsl_statistics_double.h>
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <random>
 #include <stdexcept>
+#include <string_view>
+#include <type_traits>
 
 #include "stickslip/analytic/damped_reaction.hpp"
 #include "stickslip/analytic/held_beam.hpp"
@@ -27,20 +32,11 @@ namespace {
 
 constexpr double amplitude_width = 1e-6;
 
-struct Column {
-  const char* name;
-  double DomainCase::*value;
-};
-#define STICKSLIP_COLUMN(member) \
-  Column { #member, &DomainCase::member }
-constexpr std::array domain_columns{
-    STICKSLIP_COLUMN(index),           STICKSLIP_COLUMN(load),           STICKSLIP_COLUMN(frequency),
-    STICKSLIP_COLUMN(periods),         STICKSLIP_COLUMN(friction),       STICKSLIP_COLUMN(slenderness),
-    STICKSLIP_COLUMN(damping),         STICKSLIP_COLUMN(direction),      STICKSLIP_COLUMN(contact_stiffness),
-    STICKSLIP_COLUMN(spring),          STICKSLIP_COLUMN(distance),       STICKSLIP_COLUMN(amplitude),
-    STICKSLIP_COLUMN(finite_elements), STICKSLIP_COLUMN(shear),          STICKSLIP_COLUMN(direction_change),
-    STICKSLIP_COLUMN(contact_change),  STICKSLIP_COLUMN(damping_change), STICKSLIP_COLUMN(draw_back)};
-#undef STICKSLIP_COLUMN
+// Calls see(name, number) for each column of the file, the members in their order.
+void for_each_column(const DomainCase& one, const std::function<void(std::string_view, double)>& see) {
+  visit_members(std::type_identity<DomainCase>{},
+                [&](std::string_view name, std::string_view, auto number) { see(name, number(one)); });
+}
 
 DomainCase sobol_point(int index) {
   const auto& groups = domain_groups();
@@ -183,11 +179,16 @@ bool is_in_margin(const DomainCase& one) {
 
 std::string domain_text(const std::vector<DomainCase>& cases) {
   std::string text;
-  for (const auto& [name, value] : domain_columns) text += text.empty() ? name : std::string(",") + name;
-  for (const DomainCase& one : cases)
-    for (const auto& [name, value] : domain_columns)
-      text += fmt::format("{}{:.6g}", value == &DomainCase::index ? "\n" : ",", one.*value);
-  return text + "\n";
+  const auto add = [&text](std::string_view cell) {
+    text += fmt::format("{}{}", text.empty() || text.back() == '\n' ? "" : ",", cell);
+  };
+  for_each_column({}, [&](std::string_view name, double) { add(name); });
+  text += "\n";
+  for (const DomainCase& one : cases) {
+    for_each_column(one, [&](std::string_view, double number) { add(fmt::format("{:.6g}", number)); });
+    text += "\n";
+  }
+  return text;
 }
 
 std::filesystem::path domain_file() {
@@ -200,20 +201,25 @@ std::vector<DomainCase> read_domain(const std::filesystem::path& file) {
   data::CsvReader reader(file, text);
   std::vector<DomainCase> cases;
   while (const auto row = reader.next_row()) {
-    DomainCase& one = cases.emplace_back();
-    for (std::size_t i = 0; i < domain_columns.size(); ++i)
-      one.*domain_columns[i].value = reader.number(row->at(i)).value();
+    std::array<double, sizeof(DomainCase) / sizeof(double)> numbers{};  // members are numbers alone
+    for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = reader.number(row->at(i)).value();
+    cases.push_back(std::bit_cast<DomainCase>(numbers));
   }
   return cases;
 }
 
 void require_same(const DomainCase& kept, const DomainCase& computed) {
-  for (const auto& [name, value] : domain_columns)
-    if (std::abs(kept.*value - computed.*value) > std::max(1e-5, 1e-4 * std::abs(computed.*value)))
+  std::vector<double> expected;
+  for_each_column(computed, [&](std::string_view, double number) { expected.push_back(number); });
+  std::size_t column = 0;
+  for_each_column(kept, [&](std::string_view name, double number) {
+    const double value = expected[column++];
+    if (std::abs(number - value) > std::max(1e-5, 1e-4 * std::abs(value)))
       throw std::runtime_error(
           fmt::format("claimed-domain.csv: {} of case {} is {:.6g}, but {:.6g} is computed; the slow test "
                       "ClaimedDomain makes the file again",
-                      name, kept.index, kept.*value, computed.*value));
+                      name, kept.index, number, value));
+  });
 }
 
 std::vector<DomainCase> drawn_rows(std::vector<DomainCase> cases, std::size_t count, std::string_view text) {
