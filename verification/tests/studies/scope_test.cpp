@@ -8,6 +8,7 @@
 #include "stickslip/analytic/modal_reaction.hpp"
 #include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/analytic/stick_response.hpp"
+#include "stickslip/data/atomic_file.hpp"
 #include "stickslip/solver/beam_simulation.hpp"
 #include "stickslip/solver/modal_analysis.hpp"
 #include "studies/analyses/criterion_answer.hpp"
@@ -152,7 +153,8 @@ TEST(AmplitudeLimits, AreThoseOfTheCommand) {
 STICKSLIP_VERIFIES(DomainCases, "X22");
 TEST(DomainCases, AreKeptAndRefusedIfTheyDiffer) {
   const auto kept = studies::read_domain(studies::domain_file());
-  const std::size_t corner = std::size_t{2} * studies::domain_cases;  // the first
+  EXPECT_EQ(studies::domain_text(kept), data::read_text(studies::domain_file()));  // with its column names
+  const std::size_t corner = std::size_t{2} * studies::domain_cases;               // the first
   for (const std::size_t i : {std::size_t{0}, std::size_t{99}, corner}) {
     studies::DomainCase computed = studies::domain_case(paper(), static_cast<int>(i) + 1);
     EXPECT_NO_THROW(studies::require_same(kept.at(i), computed));
