@@ -9,6 +9,7 @@
 #include <map>
 #include <type_traits>
 
+#include "comparison/comparison.hpp"
 #include "comparison/diagnosis/wrong_models.hpp"
 #include "render/report.hpp"
 #include "render/study_table.hpp"
@@ -19,6 +20,7 @@
 #include "stickslip/data/csv_text.hpp"
 #include "stickslip/data/paper.hpp"
 #include "stickslip/data/problem.hpp"
+#include "stickslip/data/reference.hpp"
 #include "stickslip/data/uncertainty.hpp"
 #include "stickslip/solver/energy_balance.hpp"
 #include "studies/analyses/criterion_answer.hpp"
@@ -36,6 +38,7 @@
 #include "studies/verification/force_maximum.hpp"
 #include "studies/verification/force_sensitivity.hpp"
 #include "studies/verification/frequencies.hpp"
+#include "studies/verification/further_uses.hpp"
 #include "studies/verification/manufactured_solution.hpp"
 #include "studies/verification/model_form.hpp"
 #include "studies/verification/paper_checks.hpp"
@@ -322,6 +325,45 @@ const Study measured("validation", "measurements of others",
                      [](Results& /*r*/) { return validation::comparisons(); });
 const Study measured_bias("validation_bias", "bias and spread of the models",
                           [](Results& r) { return validation::biases(r(measured)); });
+const Study further_uses("further_uses", "uses that the paper does not have",
+                         [](Results& /*r*/) { return studies::further_uses(); });
+/// Copies of the data sets, one as it is and one for each compared number, off by twice what agrees at any row.
+struct JudgedCopies {
+  int copies{}, wrong{};  ///< all; those that differ though they are the data, or agree though they are off
+};
+STICKSLIP_MEMBERS(JudgedCopies, (copies, "1"), (wrong, "1"))
+
+JudgedCopies judged_copies() {
+  JudgedCopies judged;
+  const auto judge = [&](const comparison::Reference& reference, const data::UserTable& copy, bool is_equal) {
+    comparison::Comparison comparison = comparison::compare(reference, copy);
+    ++judged.copies;
+    judged.wrong += is_equal != (comparison.agreement == comparison::Agreement::agrees);
+    return comparison.quantities;
+  };
+  const data::ReferencePackage package = data::load_reference();
+  for (const data::Resource& resource : package.resources) {
+    if (!resource.comparison) continue;
+    const comparison::Reference reference = comparison::read_reference(package, resource.name);
+    data::UserTable copy;
+    copy.columns = reference.table.columns;
+    copy.lines.resize(reference.table.rows());
+    for (const auto& quantity : judge(reference, copy, true)) {
+      data::UserTable off = copy;
+      const auto column = std::ranges::find(off.columns, quantity.name,
+                                            [](const data::Column& one) { return one.field.name; });
+      if (column == off.columns.end() || quantity.norm == data::Norm::word) continue;
+      double allowed = 0.0;
+      for (const auto& series : quantity.series)
+        for (const double one : series.allowed) allowed = std::max(allowed, one);
+      for (double& value : column->values) value += 2.0 * allowed;
+      judge(reference, off, false);
+    }
+  }
+  return judged;
+}
+const Study copies("judged_copies", "copies of the data sets",
+                   [](Results& /*r*/) { return judged_copies(); });
 const Study rig("rig", "what a rig should measure",
                 [](Results& /*r*/) { return studies::proposed_rig("rig"); });
 

@@ -347,6 +347,10 @@ def error_ratio(errors, elements, order):
     return errors[-2] / errors[-1] / (elements[-1] / elements[-2]) ** order
 
 
+def evaluated(text, environment, known):
+    return float(environment.compile_expression(text, undefined_to_none=False)(**known))
+
+
 def judged(result, environment, known):
     """A result of acceptance.toml with its value and whether that meets the criterion.
 
@@ -357,32 +361,72 @@ def judged(result, environment, known):
     >>> judged({"value": "a", "most": "2 * b"}, environment_for([]), {"a": 3, "b": 1.5})["most"]
     3.0
     """
-    if "value" not in result:
-        return result | {"value": None, "value_of": "", "passed": True}
-    evaluated = lambda text: float(environment.compile_expression(text, undefined_to_none=False)(**known))
-    value = evaluated(result["value"])
-    result = result | {limit: evaluated(result[limit]) for limit in ("least", "most") if isinstance(result.get(limit), str)}
+    value = evaluated(result["value"], environment, known)
+    result = result | {limit: evaluated(result[limit], environment, known) for limit in ("least", "most") if isinstance(result.get(limit), str)}
     return result | {"value": value, "value_of": result["value"], "passed": result.get("least", -math.inf) <= value <= result.get("most", math.inf)}
 
 
-def argued(quantity, results, requirements):
-    """A judged quantity of acceptance.toml with its results, the numbers of tests of its requirements, and whether it is fit for its use
-    by the numerical error: None where no test has run that could say so.
+PARTS = ("numerics", "model", "inputs", "measurement")  # of the error of a quantity
+FIT = ("yes", "numerics only", "not judged", "no")
 
-    >>> quantity, result = {"id": "a", "requirements": ["A1"], "passed": True}, {"quantity": "a", "passed": True}
+
+def fit_of(parts, most, needed, tests, is_met):
+    """Whether a quantity is fit for its use, by the parts of its error, those that it needs, the number of tests that ran and
+    whether they and the criteria are met. What is known of the error must be within the need, and it is their sum.
+
+    >>> [fit_of(parts, 5, PARTS[:2], tests, is_met) for parts, tests, is_met in
+    ...  (([2, 3], 1, True), ([2, None], 1, True), ([None, 3], 1, True), ([2, 3], 0, True), ([2, 4], 0, True), ([2, 3], 1, False), ([2, math.nan], 1, True))]
+    ['yes', 'numerics only', 'not judged', 'not judged', 'no', 'no', 'no']
+    """
+    known = [part for part in parts if part is not None]
+    if not is_met or not (sum(known) <= most):
+        return "no"
+    if parts[0] is None or not tests:
+        return "not judged"
+    return "yes" if len(known) == len(needed) else "numerics only"
+
+
+def argued(quantity, results, requirements, environment, known):
+    """A quantity of acceptance.toml with the parts of its error, its results, the numbers of tests of its requirements, and its fit.
+
+    >>> quantity, result = {"id": "a", "use": "code", "requirements": ["A1"], "numerics": "1", "most": 2}, {"quantity": "a", "passed": True}
     >>> tests = [{"passed": True, "skipped": False}]
     >>> cases = [(result, tests), (result | {"passed": False}, tests), (result, tests + [{"passed": False, "skipped": False}]),
-    ...          (result | {"quantity": "b", "passed": False}, tests), (result, []), (result | {"passed": False}, []),
-    ...          (result, [{"passed": False, "skipped": True}])]
-    >>> [argued(quantity, [one], [{"name": "A1", "tests": ran}])["fit"] for one, ran in cases]
-    [True, False, False, True, None, False, None]
+    ...          (result | {"quantity": "b", "passed": False}, tests), (result, []), (result, [{"passed": False, "skipped": True}])]
+    >>> [argued(quantity, [one], [{"name": "A1", "tests": ran}], environment_for([]), {})["fit"] for one, ran in cases]
+    ['yes', 'no', 'no', 'yes', 'not judged', 'not judged']
+    >>> argued(quantity | {"use": "beam"}, [result], [{"name": "A1", "tests": tests}], environment_for([]), {})["fit"]
+    'numerics only'
     """
     own = [result for result in results if result["quantity"] == quantity["id"]]
     ran = [test for item in requirements if item["name"] in quantity["requirements"] for test in item["tests"] if not test["skipped"]]
     failed = sum(not test["passed"] for test in ran)
-    is_met = quantity["passed"] and all(result["passed"] for result in own) and not failed
+    needed = PARTS if quantity["use"] == "beam" else PARTS[:1]
+    parts = [evaluated(quantity[part], environment, known) if part in quantity else None for part in needed]
+    is_met = all(result["passed"] for result in own) and not failed
     return quantity | {"results": own, "met": sum(result["passed"] for result in own), "tests": len(ran), "failed": failed,
-                       "fit": None if is_met and not ran else is_met}
+                       "parts": parts, "fit": fit_of(parts, quantity["most"], needed, len(ran), is_met)}
+
+
+def killed(parts, accepted):
+    """The share of the mutants of each part, and of all, that tests notice, of those that are not equivalent, with its 95 % interval
+    (Wilson's), and whether it is the share that is accepted.
+
+    >>> run = {"part": "a", "mutants": "12", "equivalent": "2", "survived": "1"}
+    >>> [(one["part"], one["of"], one["share"], f"{one['least']:.4f} {one['most']:.4f}", one["accepted"])
+    ...  for one in killed([run, run | {"part": "b", "survived": "3"}], {"share": 0.7, "share_of_part": 0.8})]
+    [('a', 10, 0.9, '0.5958 0.9821', True), ('b', 10, 0.7, '0.3968 0.8922', False), ('all', 20, 0.8, '0.5840 0.9193', True)]
+    """
+    counts = [(part["part"], int(part["mutants"]) - int(part["equivalent"]), int(part["survived"])) for part in parts]
+    counts.append(("all", sum(of for _, of, _ in counts), sum(survived for *_, survived in counts)))
+    rates = []
+    for part, of, survived in counts:
+        share, z = 1.0 - survived / of, 1.959964
+        middle = (share + z * z / (2 * of)) / (1 + z * z / of)
+        half = z * math.sqrt(share * (1 - share) / of + (z / (2 * of)) ** 2) / (1 + z * z / of)
+        rates.append({"part": part, "of": of, "survived": survived, "share": share, "least": middle - half, "most": middle + half,
+                      "accepted": share >= accepted["share" if part == "all" else "share_of_part"]})
+    return rates
 
 
 # ---- Speed
@@ -458,9 +502,10 @@ def read_values(templates, data, values):
     known["tolerances"] = [entry for test in known["tests"] for entry in test["tolerances"]]
     accepted = tomllib.loads((templates.parent.parent / "verification" / "acceptance.toml").read_text())
     expressions = environment_for([])
-    known["acceptance"], known["on_the_paper"], quantities = (
-        [judged(result, expressions, known) for result in accepted[kind]] for kind in ("result", "paper", "quantity"))
-    known["quantities"] = [argued(quantity, known["acceptance"], known["requirements"]) for quantity in quantities]
+    known["acceptance"], known["on_the_paper"] = (
+        [judged(result, expressions, known) for result in accepted[kind]] for kind in ("result", "paper"))
+    known["quantities"] = [argued(quantity, known["acceptance"], known["requirements"], expressions, known) for quantity in accepted["quantity"]]
+    known["accepted_mutants"], known["killed"] = accepted["mutants"], killed(known["mutants"], accepted["mutants"])
     known["excluded"] = accepted["excluded"]
     sets = {resource["name"]: resource for resource in known["package"]["resources"]}
     known["guide"] = [step | {"resource": sets[step["set"]]} for step in accepted["guide"]]

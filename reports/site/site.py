@@ -366,15 +366,15 @@ class Site:
         for one in self.known["quantities"]:
             rows.append(Row(one["id"], [
                 {"beam": "A beam of one's own", "code": "A check of another code"}[one["use"]], one["what"],
-                one["needed"], rounded_up(one["value"]), decided(one["fit"]), one["limits"],
+                one["needed"], *(rounded_up(part) for part in (one["parts"] + [None] * 3)[:4]), Verdict(one["fit"], one["fit"] == "yes") if one["fit"] in ("yes", "no") else one["fit"], one["limits"],
                 [Link(name, f"requirements.html#{name}") for name in one["requirements"]],
                 Verdict(f"{one['tests'] - one['failed']} of {one['tests']}", not one["failed"]) if one["tests"] else "not run",
                 Link(f"{one['met']} of {len(one['results'])}", f"verdicts.html?q={one['id']}&column=Quantity") if one["results"] else "",
                 [Code(f"stickslip {command}") for command in one["commands"]]]))
         return Page("argument", "From use to verdict", [
-            "What the program is for, which quantities that takes, how accurate each must be, and what shows that it is. Fit is of the numerical error alone. The report has the same table.",
+            "What the program is for, which quantities that takes, how accurate each must be, and what is known of its error: numerics, other models, inputs as they scatter, and the model against measurement. The report has the same table.",
             "Commands that compute nothing: " + "; ".join(f"{name} ({why})" for name, why in self.known["excluded"].items()) + "."],
-            ["Use", "Quantity", "Needed for the use", "Reached", "Fit", "Limits", "Requirements", "Tests passed", "Criteria met", "Commands"], rows)
+            ["Use", "Quantity", "Needed for the use", "Numerics", "Model", "Inputs", "Measured", "Fit", "Limits", "Requirements", "Tests passed", "Criteria met", "Commands"], rows)
 
     def verdicts(self):
         """
