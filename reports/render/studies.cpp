@@ -352,7 +352,9 @@ JudgedCopies judged_copies() {
       data::UserTable off = copy;
       const auto column = std::ranges::find(off.columns, quantity.name,
                                             [](const data::Column& one) { return one.field.name; });
-      if (column == off.columns.end() || quantity.norm == data::Norm::word) continue;
+      if (column == off.columns.end() ||
+          !std::ranges::any_of(column->values, [](double x) { return std::isfinite(x); }))
+        continue;  // words, and the phase of a sample
       double allowed = 0.0;
       for (const auto& series : quantity.series)
         for (const double one : series.allowed) allowed = std::max(allowed, one);

@@ -417,6 +417,8 @@ def killed(parts, accepted):
     ...  for one in killed([run, run | {"part": "b", "survived": "3"}], {"share": 0.7, "share_of_part": 0.8})]
     [('a', 10, 0.9, '0.5958 0.9821', True), ('b', 10, 0.7, '0.3968 0.8922', False), ('all', 20, 0.8, '0.5840 0.9193', True)]
     """
+    if not parts:
+        return []
     counts = [(part["part"], int(part["mutants"]) - int(part["equivalent"]), int(part["survived"])) for part in parts]
     counts.append(("all", sum(of for _, of, _ in counts), sum(survived for *_, survived in counts)))
     rates = []

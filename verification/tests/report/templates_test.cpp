@@ -35,7 +35,7 @@ class ReportTemplates : public ::testing::Test {
              {"verification/mutants/summary.csv", "part,killed\n"},
              {"verification/mutants/survivors.toml", "equivalent = []\n"},
              {"verification/acceptance.toml",
-              "result = []\npaper = []\nquantity = []\nexcluded = {}\nguide = []\n"},
+              "result = []\npaper = []\nquantity = []\nexcluded = {}\nguide = []\nmutants = {}\n"},
              {"verification/requirements.toml", "requirements = []\n"},
              {"verification/benchmarks/comparisons.toml", "comparison = []\n"},
              {"verification/benchmarks/results/speed.json",

@@ -17,6 +17,7 @@
 #include "studies/history/natural_frequencies.hpp"
 #include "studies/verification/amplitude_limits.hpp"
 #include "studies/verification/claimed_domain.hpp"
+#include "studies/verification/further_uses.hpp"
 #include "support/beams.hpp"
 #include "support/paper_case.hpp"
 #include "support/testing.hpp"
@@ -182,6 +183,17 @@ TEST(DomainCases, HaveTheMarginOfThePapersBeam) {
   // Finite elements with the mesh and step of the paper, and damping: empirical.
   EXPECT_LT(domain.margin.at(0).worst, 0.03);
   EXPECT_LT(domain.margin.at(5).worst, 0.01);
+}
+
+// Time steps against events, eigenvalues against roots, samples against a quantile: 3.3 standard errors of 200 000 samples, else empirical.
+STICKSLIP_VERIFIES(FurtherUses, "W4");
+TEST(FurtherUses, AgreeByTheirTwoWays) {
+  const auto uses = studies::further_uses();
+  EXPECT_EQ(uses.size(), 6U);
+  for (const auto& use : uses) {
+    EXPECT_LT(use.difference, use.name == "probability" ? 3.3 * std::sqrt(0.25 / 200000) : 2e-4) << use.name;
+    EXPECT_GT(std::abs(use.value), 0.0) << use.name;
+  }
 }
 
 STICKSLIP_VERIFIES(AmplitudeBudget, "X22");
