@@ -90,14 +90,17 @@ FurtherUse probability() {
 }  // namespace
 
 std::vector<FurtherUse> further_uses() {
-  return {growth(),
-          period(),
-          probability(),
-          travel("structures", "solid-cantilever", {{"excitation.amplitude", "2 mm", "the report"}}),
-          travel("records", "recorded-mass", {}),
-          travel("spectra", "rough-road",
-                 {{"friction.static_coefficient", "0.3", "the report"},
-                  {"friction.kinetic_coefficient", "0.2", "the report"}})};
+  return {
+      growth(),
+      period(),
+      probability(),
+      travel("structures", "solid-cantilever",
+             {{"excitation.amplitude", "2 mm", "the report"}, {"excitation.duration", "2 s", "the report"}}),
+      travel("records", "recorded-mass", {}),
+      travel("spectra", "rough-road",
+             {{"friction.static_coefficient", "0.2", "the report"},
+              {"friction.kinetic_coefficient", "0.15", "the report"},
+              {"excitation.duration", "2 s", "the report"}})};
 }
 
 }  // namespace stickslip::studies

@@ -20,7 +20,7 @@ struct FurtherUse {
   double difference{};  ///< |first - second|, relative to the second; of a probability absolute
 };
 
-/// About 3 s of processor time. Throws what the commands of these uses throw, and std::runtime_error where a motion does not slip.
+/// About 4 s of processor time. Throws what the commands of these uses throw, and std::runtime_error where a motion does not slip.
 [[nodiscard]] std::vector<FurtherUse> further_uses();
 
 STICKSLIP_MEMBERS(FurtherUse, (name, "-"), (problem, "-"), (result, "-"), (first, "-"), (second, "-"),
