@@ -8,7 +8,7 @@ from ._data import InputError, Table, load, names
 from ._judge import Judgement, Quantity, judge
 from ._program import COMMANDS, ProgramError, function_of, run
 
-__version__ = "0.2.0"
+__version__ = "0.3.0"
 
 __all__ = ["InputError", "Judgement", "ProgramError", "Quantity", "Table", "judge", "load", "names", "run", *COMMANDS]
 globals().update({name: function_of(name) for name in COMMANDS})
