@@ -16,6 +16,7 @@
 #include "stickslip/analytic/band_maximum.hpp"
 #include "stickslip/analytic/event_driven.hpp"
 #include "stickslip/analytic/force_maximum.hpp"
+#include "stickslip/analytic/stick_modes.hpp"
 #include "stickslip/data/atomic_file.hpp"
 #include "stickslip/data/csv_text.hpp"
 #include "stickslip/data/paper.hpp"
@@ -301,8 +302,16 @@ const Study searches("searches", "critical amplitudes by the paper's procedure (
 // By half a hertz.
 const Study amplitude_limits("amplitude_limits", "critical amplitudes by model", [](Results& r) {
   std::vector<double> frequencies;
-  for (int i = 4; i <= 240; ++i) frequencies.push_back(0.5 * i);
+  for (int i = 4; i <= 314; ++i) frequencies.push_back(0.5 * i);
   return studies::amplitude_limits(r.paper, r.damped, frequencies);
+});
+// Of a beam outside the domain of the margin, by a fiftieth of its first natural frequency.
+const Study stout_limits("stout_limits", "critical amplitudes of a stout beam", [](Results& r) {
+  const data::Case problem = data::load_case("soft-short");
+  const double first = analytic::stick_modes(problem.beam(), 1).front().frequency_hz();
+  std::vector<double> frequencies;
+  for (int i = 5; i <= 200; ++i) frequencies.push_back(0.02 * i * first);
+  return studies::amplitude_limits(problem, r.damped, frequencies);
 });
 
 const Study amplitude_budget("amplitude_budget", "budget of the critical amplitude", [](Results& r) {
@@ -392,11 +401,11 @@ const Study history_growth("history_growth", "growth of a disturbance on meshes"
   const auto refined = [&](const studies::StepRule& rule, const std::vector<int>& elements) {
     return studies::history_refinement(problem, reference, rule, elements, elements.back());
   };
-  const std::vector<int> resolved{5, 10, 20, 40};
+  const std::vector<int> all{5, 10, 20, 40, 80, 160}, resolved(all.begin(), all.end() - 2);
   const double radius = r.paper.numerics.spectral_radius(), step = r.paper.numerics.time_step();
   return std::vector{refined({"resolved in time", 0.3, 0.0, radius}, resolved),
-                     refined({"fixed step", 0.0, step, radius}, {5, 10, 20, 40, 80, 160}),
-                     refined({"filtering step", studies::filtering_angle, 0.0, 0.0}, {5, 10, 20, 40, 80}),
+                     refined({"fixed step", 0.0, step, radius}, all),
+                     refined({"filtering step", studies::filtering_angle, 0.0, 0.0}, all),
                      refined({"radiating tip", 1.2, 0.0, 1.0, 0.01}, resolved)};
 });
 
@@ -591,12 +600,16 @@ FigureData event_order(Results& r) {
 }
 
 FigureData figure9(Results& r) {
+  const auto& first = r(stick_history).levels.front();
   const char* title =
       "Fig. 9: midspan displacement y(L/2, t) and static friction force f(t) of the stick state";
-  return figure("fig9", study_table(title, r(stick_history),
-                                    "time, displacement as displacement_closed_form, "
-                                    "first_displacement as displacement_finite_element, "
-                                    "force as force_closed_form, first_force as force_finite_element"));
+  return figure("fig9",
+                study_table(title, r(stick_history),
+                            "time, displacement as displacement_closed_form, "
+                            "first_displacement as displacement_finite_element, "
+                            "force as force_closed_form, first_force as force_finite_element"),
+                {{"displacement_bound", first.predicted_displacement_error, "m"},
+                 {"force_bound", first.predicted_force_error, "N"}});
 }
 
 void add_natural_frequencies(const studies::FrequencyStudy& study, const char* name, FigureData& data) {
@@ -607,6 +620,8 @@ void add_natural_frequencies(const studies::FrequencyStudy& study, const char* n
 FigureData figure_of_limits(Results& r, const char* name, const char* title, const char* columns) {
   FigureData data = figure(name, study_table(title, r(amplitude_limits).limits, columns));
   add_natural_frequencies(r(stick_frequencies), "natural", data);
+  data.values.push_back({"distance", studies::resonance_distance, "1"});
+  data.values.push_back({"highest", studies::domain_groups()[1].margin_greatest, "1"});  // over natural1
   return data;
 }
 
@@ -617,8 +632,14 @@ FigureData limits(Results& r) {
 }
 
 FigureData models(Results& r) {
-  return figure_of_limits(r, "models", "Critical amplitude at a start-up in other models, closed form",
-                          "frequency_hz, start_up, shear, fixed_direction, compliant");
+  const char* title = "Critical amplitude at a start-up in other models, closed form";
+  const char* columns = "frequency_hz, start_up, shear, compliant";
+  FigureData data = figure_of_limits(r, "models", title, columns);
+  data.tables.push_back({"models-stout", study_table(title, r(stout_limits).limits, columns)});
+  int mode = 0;
+  for (const auto& one : analytic::stick_modes(data::load_case("soft-short").beam(), 2))
+    data.values.push_back({fmt::format("stout{}", ++mode), one.frequency_hz(), "Hz"});
+  return data;
 }
 
 FigureData budget(Results& r) {
@@ -816,8 +837,8 @@ FigureData figure14(Results& r) {
       {{"hz", study.frequency_hz, "Hz"}, {"buckling_coefficient", study.buckling_coefficient, "1"}}};
 }
 
-// The decadic logarithm of error over tolerance, from -1 to 6, of each code in each problem that verification/peers has a row of: the
-// usual settings, which come first, and the best. Nothing where there is no driver; state 1 where the code cannot do the problem.
+// The decadic logarithm of error over tolerance, from -1 to 6, of each code in each problem that a code in verification/peers has
+// done: the usual settings, which come first, and the best. Nothing where there is no driver; state 1 where the code cannot do the problem.
 FigureData scoreboard(Results& /*r*/) {
   using Key = std::pair<std::string, std::string>;
   const auto file = templates_directory().parent_path() / "verification" / "peers" / "scoreboard.csv";
@@ -834,13 +855,15 @@ FigureData scoreboard(Results& /*r*/) {
   while (const auto row = reader.next_row()) {
     const Key key{row->at(column("code")), row->at(column("problem"))};
     note(codes, key.first);
-    note(problems, key.second);
     auto& values = ratios[key];
-    if (const std::string& ratio = row->at(column("ratio")); !ratio.empty())
+    if (const std::string& ratio = row->at(column("ratio")); !ratio.empty()) {
+      note(problems, key.second);
       values.push_back(std::clamp(std::log10(std::stod(ratio)), -1.0, 6.0));
+    }
   }
-  CsvTable table("Error over tolerance of other codes, as decadic logarithm from -1 to 6",
-                 "code [-], problem [-], column [1], row [1], state [1], usual [1], best [1]");
+  CsvTable table(
+      "Error over tolerance of other codes, as decadic logarithm from -1 to 6",
+      "code [-], problem [-], problem_number [1], code_number [1], state [1], usual [1], best [1]");
   for (std::size_t j = 0; j < codes.size(); ++j)
     for (std::size_t i = 0; i < problems.size(); ++i) {
       const auto found = ratios.find({codes[j], problems[i]});

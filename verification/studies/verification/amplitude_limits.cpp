@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "stickslip/analytic/damped_reaction.hpp"
 #include "stickslip/analytic/damped_steady_state.hpp"
 #include "stickslip/analytic/force_maximum.hpp"
 #include "stickslip/analytic/held_beam.hpp"
 #include "stickslip/analytic/stick_response.hpp"
+#include "stickslip/data/key.hpp"
 #include "studies/analyses/slip_probability.hpp"
 #include "studies/common/parallel.hpp"
 #include "studies/common/problem_parameter.hpp"
@@ -18,6 +20,7 @@ namespace stickslip::studies {
 namespace {
 
 constexpr double width = 1e-6;
+constexpr const char* all_inputs = "all inputs";
 
 }  // namespace
 
@@ -80,11 +83,13 @@ std::vector<AmplitudeChange> amplitude_budget(const AmplitudeLimits& limits,
 
     const data::Case at = with_value(problem, "excitation.frequency_hz", hz);
     const SlipUncertainty inputs = slip_uncertainty(at, uncertainty, {.samples = samples, .is_short = true});
-    add("all inputs", "input", inputs.quantiles.front().margin.value / inputs.nominal_margin,
+    add(all_inputs, "input", inputs.quantiles.front().margin.value / inputs.nominal_margin,
         inputs.quantiles.back().margin.value / inputs.nominal_margin);
     for (const auto& one : inputs.tornado) {
       const auto [low, high] = std::minmax(one.margin_low.value(), one.margin_high.value());
-      add(one.key, "input", low / inputs.nominal_margin, high / inputs.nominal_margin);
+      const std::string_view label = data::key_named(one.key).axis.label;  // "axial force P / N"
+      add(std::string(label.substr(0, label.find(" / "))), "input", low / inputs.nominal_margin,
+          high / inputs.nominal_margin);
     }
 
     const AmplitudeLimit& limit = *std::ranges::find(limits.limits, hz, &AmplitudeLimit::frequency_hz);
@@ -92,6 +97,14 @@ std::vector<AmplitudeChange> amplitude_budget(const AmplitudeLimits& limits,
     add_ratio("axial force of fixed direction", "model", limit.fixed_direction / limit.start_up);
     add_ratio("contact that yields", "model", limit.compliant / limit.start_up);
     add_ratio("damping", "model", limit.damped_start_up / limit.start_up);
+
+    double low = 1.0, high = 1.0;
+    for (const AmplitudeChange& one : budget)
+      if (one.frequency_hz == hz && (one.kind != "input" || one.cause == all_inputs)) {
+        low *= 1.0 - one.fall;
+        high *= 1.0 + one.rise;
+      }
+    add("all together", "sum", low, high);
   }
   return budget;
 }

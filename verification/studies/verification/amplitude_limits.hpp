@@ -40,7 +40,7 @@ STICKSLIP_MEMBERS(AmplitudeLimits, (limits), (contact_stiffness, "1"))
 /// What one cause does to the critical amplitude of a start-up at one frequency, relative: the most that it takes away,
 /// and the most that it adds.
 struct AmplitudeChange {
-  std::string cause, kind;  ///< kind: "numerical", "input" or "model"
+  std::string cause, kind;  ///< kind: "numerical", "input", "model" or "sum"
   double frequency_hz{};
   double fall{}, rise{};
 };
@@ -48,7 +48,7 @@ STICKSLIP_MEMBERS(AmplitudeChange, (cause, "-"), (kind, "-"), (frequency_hz, "Hz
 
 /// The uncertainty budget at the frequencies of `forces`, which `limits` must have: what finite elements and the truncation to
 /// numerics.modes() do to |f_max|, the inputs from their 5 % to their 95 % quantile, together and one by one (slip_uncertainty()
-/// with so many samples), and each other model.
+/// with so many samples), each other model, and all together: the falls one on top of the other, and the rises.
 [[nodiscard]] std::vector<AmplitudeChange> amplitude_budget(const AmplitudeLimits& limits,
                                                             const std::vector<ForceMaximumStudy>& forces,
                                                             const data::Case& problem,

@@ -219,7 +219,7 @@ TEST(AmplitudeBudget, HasTheChangeByEachCause) {
     EXPECT_NEAR(found->fall, fall, 1e-6) << cause;
     EXPECT_NEAR(found->rise, rise, 1e-6) << cause;
   };
-  EXPECT_EQ(budget.size(), 11u);
+  EXPECT_EQ(budget.size(), 12u);
   expect_change("finite elements", 0.2, 0.0);
   expect_change("truncation to the modes kept", 0.0, 0.25);
   expect_change("shear and rotary inertia", 0.5, 0.0);
@@ -228,7 +228,9 @@ TEST(AmplitudeBudget, HasTheChangeByEachCause) {
   expect_change("damping", 0.0, 0.75);
   // The 5 % quantile of a normal distribution is 1.644854 standard deviations below the mean.
   const double spread = 1.644853627 * 0.05 / 0.6;
-  expect_change("friction.static_coefficient", spread, spread);
+  expect_change("static friction coefficient μ_s", spread, spread);
+  expect_change("all together", 1.0 - 0.8 * 0.5 * (1.0 - budget[2].fall),
+                1.25 * 1.25 * 1.75 * (1.0 + budget[2].rise) - 1.0);
   // Together the inputs do at least as much as that, but for the scatter of a quantile of 200 samples.
   EXPECT_GT(budget[2].fall, 0.7 * spread);
   EXPECT_GT(budget[2].rise, 0.7 * spread);
