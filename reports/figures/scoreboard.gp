@@ -1,29 +1,30 @@
 # SPDX-License-Identifier: MIT
-# Error over tolerance of each code (rows) in each problem (columns): usual settings on the left, the best on the right. White: no
-# driver. Grey: the code cannot do the problem, or did not end.
+# Error over tolerance of each code (columns) in each problem (rows): usual settings on the left, the best on the right. Dot: agrees. Line:
+# the code cannot do the problem, or did not end. White: no driver.
 width = 16
-height = 13
+height = 9
 load 'style.gp'
 file = folder.'scoreboard.csv'
 set tics out nomirror
 unset grid
 unset key
-set xtics rotate by 90 right
+set xtics rotate by 90 right font font_name.',7.5'
 set yrange [:] reverse
-set palette defined (-1 '#2166AC', 0 '#92C5DE', 0.001 '#FDDBC7', 3 '#D6604D', 6 '#67001F')
+set palette defined (-1 '#EAF4FB', -0.001 '#C3DFF2', 0 '#FBBE7A', 2 '#E07A2F', 4 '#A63A14', 6 '#3D0A05')  # darker throughout
 set cbrange [-1:6]
 set cbtics ('≤ 0.1' -1, '1' 0, '10' 1, '10^2' 2, '10^3' 3, '10^4' 4, '10^5' 5, '≥ 10^6' 6)
-set cblabel 'error / tolerance'
+set cblabel 'error / tolerance' offset -0.5
 set multiplot
 do for [panel = 0:1] {
-  set title (panel ? 'best' : 'usual settings')
-  set lmargin at screen (panel ? 0.555 : 0.2)
-  set rmargin at screen (panel ? 0.875 : 0.52)
-  set bmargin at screen 0.39
-  set tmargin at screen 0.94
-  if (panel) { unset ytics; set colorbox } else { unset colorbox }
-  cannot = "file using ($5 == 1 ? $3 : NaN):4:(0.45):(0.45) with boxxyerror fillstyle solid linecolor rgb '#BBBBBB'"
-  ratio = sprintf("'' using 3:4:(0.5):(0.5):%d:xtic(2)%s with boxxyerror fillstyle solid linecolor palette", 6 + panel, panel ? '' : ':ytic(1)')
-  eval 'plot '.cannot.', '.ratio
+  set title (panel ? 'best settings' : 'usual settings')
+  set lmargin at screen (panel ? 0.608 : 0.312)
+  set rmargin at screen (panel ? 0.885 : 0.589)
+  set bmargin at screen 0.215
+  set tmargin at screen 0.92
+  if (panel) { set colorbox } else { unset colorbox }
+  plot file using 4:3:(0.5):(0.5):6 + panel:xtic(word(strcol(1), words(strcol(1)))):ytic(strcol(2)[1:99 * (1 - panel)]) with boxxyerror fillstyle solid \
+         linecolor palette, \
+       '' using ($5 == 1 ? $4 - 0.25 : NaN):3:(0.5):(0) with vectors nohead linecolor rgb grey linewidth 1, \
+       '' using (column(6 + panel) < 0 ? $4 : NaN):3 with points pointtype 7 pointsize 0.25 linecolor rgb black
 }
 unset multiplot
