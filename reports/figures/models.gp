@@ -1,22 +1,39 @@
 # SPDX-License-Identifier: MIT
-# Critical amplitude in other models over that of the criterion.
+# Critical amplitude in other models over that of the criterion: the paper's beam (left) and a stout one (right).
 width = 16
 height = 6.5
 load 'style.gp'
 values = folder.'models-values.csv'
 load 'values.gp'
-file = folder.'models.csv'
-set xlabel 'excitation frequency / Hz' offset 0, 0.4
-set ylabel 'critical amplitude ratio' offset 1
-set xrange [2:120]
-set yrange [0.5:2]
+array files[2] = [folder.'models.csv', folder.'models-stout.csv']
+array first[2] = [natural1, stout1]
+array second[2] = [natural2, stout2]
+set xlabel 'excitation frequency over ω_1' offset 0, 0.4
+set xtics 1
+set yrange [0.2:5]
 set logscale y
-set ytics (0.5, 0.6, 0.7, 0.8, 0.9, 1, 1.2, 1.5, 2)
-set key above horizontal center samplen 3
-do for [hz in sprintf('%g %g', natural1, natural2)] {
-  set object rectangle from 0.9 * hz, graph 0 to 1.1 * hz, graph 1 behind fillcolor rgb '#EEEEEE' fillstyle solid noborder
+set ytics (0.2, 0.5, 0.8, 1, 1.25, 2, 5)
+set key at screen 0.5, 1 center top vertical maxrows 1 samplen 3
+set tmargin at screen 0.84
+set bmargin at screen 0.17
+set multiplot
+do for [k = 1:2] {
+  set xrange [0:(k == 1 ? 6.3 : 4)]
+  set lmargin at screen (k == 1 ? 0.095 : 0.645)
+  set rmargin at screen (k == 1 ? 0.615 : 0.9815)
+  if (k == 1) {
+    set arrow 1 from highest, graph 0 to highest, graph 1 nohead linestyle 3 front
+    set label 1 '← margin holds' at highest + 0.1, graph 0.92 front
+  } else { unset arrow 1; unset label 1 }
+  do for [n = 1:3] {
+    natural = n == 1 ? 1 : n == 2 ? second[k] / first[k] : natural3 / natural1
+    set object n rectangle from (1 - distance) * natural, graph 0 to (1 + distance) * natural, graph 1 behind fillcolor rgb '#E4E4E4' fillstyle solid noborder
+  }
+  set title (k == 1 ? "the paper's beam" : 'a stout beam (soft-short)')
+  set ylabel (k == 1 ? 'critical amplitude ratio' : '') offset 1
+  plot 1 with lines linestyle 3 notitle, \
+       files[k] using ($1 / first[k]):($4 / $2) with lines linecolor rgb vermillion linewidth 1.2 dashtype 2 title 'contact that yields', \
+       '' using ($1 / first[k]):($3 / $2) with lines linestyle 1 title 'shear and rotary inertia'
+  if (k == 1) { unset key; set format y '' }
 }
-plot 1 with lines linestyle 3 notitle, \
-     file using 1:($4 / $2) with lines linecolor rgb green linewidth 1.2 dashtype 2 title 'force of fixed direction', \
-     '' using 1:($5 / $2) with lines linecolor rgb vermillion linewidth 1.2 dashtype 4 title 'contact that yields', \
-     '' using 1:($3 / $2) with lines linestyle 1 title 'shear and rotary inertia'
+unset multiplot
