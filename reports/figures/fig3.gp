@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: MIT
 # Fig. 3: numbered snapshots of the beam over one period, the first half of it left, the second right; the tip says
-# whether it sticks. Needs nothing but fig3.csv.
+# whether it sticks. Of the excitations in fig3.csv those two at which it slips.
 width = 16
-height = 17
+height = 9.4
 load 'style.gp'
 file = folder.'fig3.csv'
 stats file using 1 name 'panel' nooutput
 stats file using 3 name 'snapshot' nooutput
 stats file using 7 name 'position' nooutput
+stats file using ($6 < 0.5 ? $1 : NaN) name 'slips' nooutput  # the first panel in which the tip slips and the last
 points = int(position_records / panel_max / snapshot_max)  # per snapshot
 rows = points * int(snapshot_max)                          # per panel
 half = (int(snapshot_max) + 1) / 2                         # snapshots of half a period
@@ -25,23 +26,23 @@ set cbrange [0:1]
 unset colorbox
 set style textbox opaque noborder margins 0.4, 0.3 fillcolor rgb 'white'
 set xtics 0.5
-set multiplot layout int(panel_max), 2 margins 0.09, 0.985, 0.1, 0.965 spacing 0.045, 0.047
-do for [i = 1:int(panel_max)] {
+set multiplot layout 2, 2 margins 0.09, 0.985, 0.19, 0.945 spacing 0.045, 0.1
+do for [i in sprintf('%d %d', slips_min, slips_max)] {
   set autoscale xy  # what follows counts only rows in range
   stats file every ::first(i, 1)::(first(i, 1) + rows - 1) using (1e3 * $8) name 'y' nooutput
   gap = 0.08 * (y_max - y_min)
   stats file every ::first(i, 1)::first(i, 1) using (hz = $2, begin_ms = 1e3 * $4) nooutput
-  set xlabel (i == panel_max ? 'position x / m' : '')
-  set format x (i == panel_max ? '%g' : '')
+  set xlabel (i == slips_max ? 'position x / m' : '')
+  set format x (i == slips_max ? '%g' : '')
   set xrange [0:position_max * 1.03]
   set yrange [y_min - gap:y_max + gap]
   do for [j = 1:2] {
     begin = (j - 1) * (half - 1) + 1
     end = begin + half - 1
-    set title sprintf('(%s) %g Hz from %.1f ms: %s half period', 'abcd'[i:i], hz, begin_ms, j == 1 ? 'first' : 'second')
+    set title sprintf('(%s) %g Hz from %.1f ms: %s half period', 'abcd'[int(i):int(i)], hz, begin_ms, j == 1 ? 'first' : 'second')
     set format y (j == 1 ? '%g' : '')
     unset key
-    if (i == panel_max && j == 2) {
+    if (i == slips_max && j == 2) {
       set key at screen 0.5, 0.005 center bottom vertical maxrows 1
       set label 'displacement y(x, t) / mm' at screen 0.017, 0.53 center rotate
     }

@@ -8,7 +8,7 @@ load 'values.gp'
 file = folder.'practice.csv'
 array hz[3] = [hz1, hz2, hz3]
 array runs[3] = [1, 3, 6]
-set xtics 0.1
+set xtics 0.2
 set multiplot layout 3, 3 margins 0.09, 0.985, 0.12, 0.905 spacing 0.025, 0.065
 do for [j = 1:3] {
   set autoscale xy  # what follows counts only rows in range
