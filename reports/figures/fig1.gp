@@ -20,7 +20,7 @@ set style arrow 1 head filled size screen 0.012, 18 linestyle 5 front
 set style arrow 2 heads filled size screen 0.012, 18 linestyle 5
 set style arrow 3 head filled size screen 0.016, 18 linecolor rgb vermillion linewidth 2.5 front
 # At rest: base and axis.
-set arrow from -0.45, 0 to 1.0, 0 nohead linestyle 3
+set arrow from -0.45, 0 to 1.0, 0 nohead linestyle 3 linewidth 1.6
 set label "axis at rest" at -0.45, -0.04 left
 # The base, moved by h.
 set object 1 rectangle from -0.12, lift - 0.2 to 0, lift + 0.2 fillstyle solid border rgb black fillcolor rgb '#BBBBBB'
@@ -37,7 +37,7 @@ set arrow from 0.25, 0 to 0.25, shape(0.25) - 0.018 arrowstyle 1
 set label 'y(x, t)' at 0.235, 0.05 right
 set arrow from 0.70, lift to 0.70, shape(0.70) + 0.018 arrowstyle 1
 set label 'u(x, t)' at 0.715, 0.07 left
-set arrow from 0, lift to 1, lift nohead linecolor rgb grey linewidth 0.8 dashtype 3
+set arrow from 0, lift to 1, lift nohead linecolor rgb grey linewidth 1.8 dashtype 3
 set arrow from 0.975, 0.04 to 0.975, 0.26 arrowstyle 1
 set label 'tip slides with v_s' at 0.97, 0.3 right
 set arrow from 0.975, -0.04 to 0.975, -0.27 arrowstyle 3
