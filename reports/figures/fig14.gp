@@ -60,8 +60,9 @@ set label 3 'stick-slip region' at 1.25, 20 center front
 set label 4 'stick-slip region' at 0.55, 12 center front
 set label 5 'stick region' at 0.62, 400 center front
 set label 6 'stick region' at 1.22, 400 center front
-set label 7 'stick region' at 1.82, 400 center front
+set label 7 'stick region' at 1.82, 230 center front
 set label 8 sprintf("no stick state: P over the\nbuckling load %.2f EI/L^2", buckling_coefficient) at 1.35, 17000 center front boxed
+set label 9 sprintf('case: %g N', case_force) at case_length, case_force right offset -0.8, 0.5 point pointtype 7 pointsize 0.7 front
 set style textbox opaque noborder margins 1, 1 fillcolor rgb 'white'
 set style fill pattern 4
 plot $buckling using 1:2:(highest) with filledcurves fillcolor rgb 'white' fillstyle solid notitle, \

@@ -834,7 +834,10 @@ FigureData figure14(Results& r) {
                              study.lines, "length, axial_force, force_ratio", TableShape::grid)},
        {"fig14-limits", study_table("Fig. 14: lengths of resonance with the excitation and of buckling",
                                     study.lines, "axial_force, resonance_1, resonance_2, buckling_length")}},
-      {{"hz", study.frequency_hz, "Hz"}, {"buckling_coefficient", study.buckling_coefficient, "1"}}};
+      {{"hz", study.frequency_hz, "Hz"},
+       {"buckling_coefficient", study.buckling_coefficient, "1"},
+       {"case_length", r.flat_section.beam().length(), "m"},
+       {"case_force", r.flat_section.beam().axial_force(), "N"}}};
 }
 
 // The decadic logarithm of error over tolerance, from -1 to 6, of each code in each problem that a code in verification/peers has
