@@ -11,7 +11,9 @@ namespace stickslip::studies {
 
 ProposedRig proposed_rig(const std::string& name) {
   ProposedRig rig;
-  data::BeamProperties beam = data::load_case(name).beam().properties();
+  const data::Case problem = data::load_case(name);
+  data::BeamProperties beam = problem.beam().properties();
+  const double rigidity = beam.youngs_modulus * beam.second_moment_of_area;
   for (const double length : {0.3, 0.4})
     for (const double load : {0.5, 1.0, 2.0, 3.0, 4.0}) {
       beam.length = length;
@@ -22,12 +24,12 @@ ProposedRig proposed_rig(const std::string& name) {
       };
       const double following = first_hz(0.0), fixed = first_hz(1.0);
       rig.frequencies.push_back(
-          {length, load, following, fixed, std::abs(following - fixed) / (2.0 * (following + fixed))});
+          {length, load, following, fixed, std::abs(following - fixed) / (2.0 * (following + fixed)),
+           problem.contact.friction.static_coefficient() * load * std::pow(length, 3) / (3.0 * rigidity)});
     }
   for (const double hz : {10.0, 15.0, 20.0, 25.0, 30.0, 35.0, 60.0, 80.0}) {
-    const data::Case problem =
-        data::load_case(name, {{"excitation.frequency_hz", data::shortest_text(hz), "the rig"}});
-    rig.onsets.push_back({hz, analytic::evaluate_criterion(problem, 1e-6).critical_amplitude.midpoint()});
+    const data::Case at_hz = with_value(problem, "excitation.frequency_hz", hz);
+    rig.onsets.push_back({hz, analytic::evaluate_criterion(at_hz, 1e-6).critical_amplitude.midpoint()});
   }
   return rig;
 }

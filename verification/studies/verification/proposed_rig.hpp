@@ -16,6 +16,7 @@ struct ProposedRig {
   /// of them do not meet if the relative standard uncertainty u is below `accuracy`, |f_1 - f_2|/(2 (f_1 + f_2)).
   struct Frequency {
     double length{}, load{}, following_hz{}, fixed_hz{}, accuracy{};
+    double held{};  ///< deflection up to which friction on the plate holds the tip, m: μ_s P L³/(3 E I)
   };
   std::vector<Frequency> frequencies;          ///< two lengths, five loads
   std::vector<CriticalAmplitudePoint> onsets;  ///< of slip, at eight excitation frequencies
@@ -25,7 +26,7 @@ struct ProposedRig {
 [[nodiscard]] ProposedRig proposed_rig(const std::string& name);
 
 STICKSLIP_MEMBERS(ProposedRig::Frequency, (length, "m"), (load, "N"), (following_hz, "Hz"), (fixed_hz, "Hz"),
-                  (accuracy, "1"))
+                  (accuracy, "1"), (held, "m"))
 STICKSLIP_MEMBERS(ProposedRig, (frequencies), (onsets))
 
 }  // namespace stickslip::studies
