@@ -133,7 +133,7 @@ CsvTable comparison_table(const std::vector<validation::Comparison>& comparisons
       "Measured and predicted: the error of the model lies in E +- 2 u_val", comparisons,
       "experiment, record, quantity, form, measured as D, measured_uncertainty as u_D, predicted as S, "
       "input_uncertainty as u_input, numerical_uncertainty as u_num, error as E, uncertainty as u_val, "
-      "is_resolved as resolved, unit");
+      "is_resolved as resolved, unit, blind, required");
 }
 
 Results::Results(std::function<void(const std::string&)> announce, std::filesystem::path folder,
@@ -882,8 +882,9 @@ FigureData scoreboard(Results& /*r*/) {
 FigureData intervals(Results& r) {
   return {{{"validation", comparison_table(r(measured))},
            {"validation-bias",
-            study_table("Mean and standard deviation of E/D over all set points", r(measured_bias),
-                        "experiment, quantity, form, points, resolved, beyond, mean, spread")}},
+            study_table(
+                "Mean and standard deviation of E/D over all set points", r(measured_bias),
+                "experiment, quantity, form, blind, points, resolved, beyond, mean, spread, resolved_mean")}},
           {}};
 }
 

@@ -167,16 +167,21 @@ bool Comparison::is_resolved() const { return std::abs(error()) >= uncertainty()
 
 bool Comparison::contains_zero() const { return std::abs(error()) <= 2.0 * uncertainty(); }
 
+double Comparison::required() const {
+  if (quantity.starts_with("frequency") || quantity == "fall_time") return 0.05;
+  return quantity.find("force") != std::string::npos || quantity == "energy" ? 0.2 : 0.0;
+}
+
 std::vector<Comparison> comparisons(const FigureTable& figures) {
-  std::map<std::string, std::string> experiments;
-  for (const SetPoint& point : set_points()) experiments[point.record] = point.experiment;
+  std::map<std::string, SetPoint> points;
+  for (const SetPoint& point : set_points()) points[point.record] = point;
   std::vector<Comparison> all;
   std::map<Key, std::size_t> places;
   for (const Prediction& one : recorded_predictions()) {
     const auto [place, is_new] = places.try_emplace(key_of(one), all.size());
     if (is_new) all.emplace_back();
     const Figure& figure = figures.at({one.record, one.quantity});
-    all[place->second] = {experiments.at(one.record),
+    all[place->second] = {points.at(one.record).experiment,
                           one.record,
                           one.quantity,
                           one.form,
@@ -186,30 +191,34 @@ std::vector<Comparison> comparisons(const FigureTable& figures) {
                           one.value,
                           one.input_uncertainty,
                           one.numerical_uncertainty,
-                          one.entry};
+                          one.entry == 1 && points.at(one.record).role == "prediction"};
   }
   return all;
 }
 
 std::vector<Bias> biases(const std::vector<Comparison>& comparisons) {
   std::vector<Bias> all;
-  std::map<Key, std::vector<const Comparison*>> groups;
+  std::map<std::tuple<std::string, std::string, std::string, bool>, std::vector<const Comparison*>> groups;
   for (const Comparison& one : comparisons)
     groups[{one.experiment, one.quantity.substr(0, one.quantity.find_last_not_of("_0123456789") + 1),
-            one.form}]
+            one.form, !one.blind}]
         .push_back(&one);
   for (const auto& [key, group] : groups) {
     Bias bias{.experiment = std::get<0>(key),
               .quantity = std::get<1>(key),
               .form = std::get<2>(key),
-              .points = group.size()};
+              .points = group.size(),
+              .blind = !std::get<3>(key),
+              .required = group.front()->required()};
     const auto n = static_cast<double>(group.size());
     for (const Comparison* one : group) {
       bias.mean += one->error() / one->measured / n;
-      if (one->is_resolved()) ++bias.resolved;
+      if (one->is_resolved()) ++bias.resolved, bias.resolved_mean += one->error() / one->measured;
       if (!one->contains_zero()) ++bias.beyond;
-      if (one->entry == 1) ++bias.blind;
+      if (std::abs(one->error()) + 2.0 * one->uncertainty() <= one->required() * std::abs(one->measured))
+        ++bias.within;
     }
+    if (bias.resolved > 0) bias.resolved_mean /= static_cast<double>(bias.resolved);
     for (const Comparison* one : group)
       bias.spread += std::pow(one->error() / one->measured - bias.mean, 2) / std::max(1.0, n - 1.0);
     bias.spread = std::sqrt(bias.spread);
