@@ -27,6 +27,7 @@
 #include "studies/analyses/criterion_answer.hpp"
 #include "studies/analyses/design_guide.hpp"
 #include "studies/analyses/length_force_map.hpp"
+#include "studies/analyses/slip_probability.hpp"
 #include "studies/common/parallel.hpp"
 #include "studies/common/problem_parameter.hpp"
 #include "studies/history/history_convergence.hpp"
@@ -82,6 +83,16 @@ STICKSLIP_MEMBERS(EnergyBalance, (kinetic, "J"), (elastic, "J"), (base_work, "J"
 namespace stickslip::report {
 
 namespace {
+
+// Critical amplitudes as computed and at 5 and 95 % of the inputs, amplitudes with 1 and 5 % of slip, and probabilities of slip.
+struct WorkedUse {
+  data::Case problem;
+  std::string decisive;  // key
+  double predicted, low, high, at_1, at_5, by_inputs, by_both, by_softer, softer_gpa;
+};
+STICKSLIP_MEMBERS(WorkedUse, (problem), (decisive, "-"), (predicted, "m"), (low, "m"), (high, "m"),
+                  (at_1, "m"), (at_5, "m"), (by_inputs, "1"), (by_both, "1"), (by_softer, "1"),
+                  (softer_gpa, "GPa"))
 
 std::vector<std::function<void(Results&)>>& all_studies() {
   static std::vector<std::function<void(Results&)>> studies;
@@ -501,6 +512,36 @@ const Study claimed_domain("claimed_domain", "closed form against other models o
                              constexpr std::size_t recomputed = 20;
                              return studies::claimed_domain(data::load_case("paper"), recomputed, r.drawn_by);
                            });
+
+// The amplitude of contact-leaf is uncertain by the error of the model. The softer leaf has lower frequencies, as the measured strip.
+const Study worked_use("worked_use", "probability of slip of a leaf", [](Results& r) {
+  const data::Case problem = data::load_case("contact-leaf");
+  const auto keys = data::read_uncertainty(data::find_case("contact-leaf"));
+  const auto slip = [&](const std::string& certain, double value) {
+    return studies::slip_uncertainty(with_value(problem, certain, value),
+                                     studies::without(keys, {{certain, "", ""}}), {.is_short = true});
+  };
+  const double strip = std::ranges::find(r(measured_bias), "dimensions", &validation::Bias::form)->mean,
+               softer_gpa =
+                   0.1 * std::round(1e-8 * problem.beam().youngs_modulus() / std::pow(1.0 + strip, 2)),
+               amplitude = problem.excitation().amplitude();
+  const auto inputs = slip("excitation.amplitude", amplitude),
+             both = studies::slip_uncertainty(problem, keys, {.is_short = true});
+  const auto critical = [&](const auto& of, double p) {
+    return amplitude * studies::quantile_of(of.margins, p).value;
+  };
+  return WorkedUse{problem,
+                   both.tornado.at(both.decisive).key,
+                   amplitude * inputs.nominal_margin,
+                   critical(inputs, 0.05),
+                   critical(inputs, 0.95),
+                   critical(both, 0.01),
+                   critical(both, 0.05),
+                   inputs.probability_of_slip.value,
+                   both.probability_of_slip.value,
+                   slip("beam.youngs_modulus", 1e9 * softer_gpa).probability_of_slip.value,
+                   softer_gpa};
+});
 
 const Study model_form("model_form", "criterion with an axial force of fixed direction", [](Results& r) {
   constexpr int lengths = 81;  // every 2 cm

@@ -234,7 +234,7 @@ TEST_F(CaseFile, IsFoundByNameOrPath) {
                     "/dev/zero: is larger than the 1000000"));
   EXPECT_TRUE(
       holds(error_message([] { return data::load_case("papr"); }),
-            "case papr is unknown (did you mean paper?), but must be a file or one of damped, den-hartog, "));
+            "case papr is unknown (did you mean paper?), but must be a file or one of contact-leaf, damped, "));
   const std::string name = file.string().substr(0, file.string().rfind(".toml"));
   EXPECT_TRUE(holds(error_message([&] { return data::find_case(name); }), "(did you mean bar.toml?)"));
 }

@@ -196,6 +196,22 @@ TEST(FurtherUses, AgreeByTheirTwoWays) {
   }
 }
 
+// The leaf is in the domain of the margin, and the factor of its amplitude is one over the lognormal one of all models.
+TEST(DomainCases, AreTheErrorOfTheWorkedUse) {
+  const data::Case leaf = data::load_case("contact-leaf");
+  const studies::DimensionlessCase groups = studies::dimensionless(leaf);
+  studies::DomainCase one = studies::read_domain(studies::domain_file()).at(600);
+  one.load = groups.load, one.frequency = groups.frequency, one.slenderness = groups.slenderness;
+  one.periods = leaf.numerics.duration() * studies::stick_hz(leaf.beam(), 1);
+  EXPECT_TRUE(studies::is_in_margin(one));
+  const auto all = studies::claimed_domain(paper(), 0, "").margin.back();
+  const double square = 1.0 + std::pow(all.spread / (1.0 + all.bias), 2);
+  const auto keys = data::read_uncertainty(data::find_case("contact-leaf")).keys;
+  const auto factor = std::ranges::find(keys, "excitation.amplitude", &data::UncertainKey::key)->distribution;
+  EXPECT_NEAR(factor.mean / leaf.excitation().amplitude(), square / (1.0 + all.bias), 2e-4);
+  EXPECT_NEAR(factor.standard_deviation / factor.mean, std::sqrt(square - 1.0), 1e-4);
+}
+
 STICKSLIP_VERIFIES(AmplitudeBudget, "X22");
 TEST(AmplitudeBudget, HasTheChangeByEachCause) {
   studies::AmplitudeLimits limits;

@@ -345,6 +345,21 @@ TEST(SlipProbability, OfCorrelatedKeysIsExact) {
   }
 }
 
+// Of the quotient of two lognormal keys, which is lognormal: the critical amplitude, and one that is off by the error of a model.
+TEST(SlipProbability, OfLognormalKeysIsExact) {
+  const data::Case of = problem();
+  const double critical = critical_coefficient(of), coefficient = 0.6, deviation = 0.06, amplitude = 0.5e-3,
+               error = 0.1e-3;
+  const auto keys = independent({{"friction.static_coefficient", lognormal(coefficient, deviation)},
+                                 {"excitation.amplitude", lognormal(amplitude, error)}});
+  const double a = std::log1p(std::pow(deviation / coefficient, 2)),
+               b = std::log1p(std::pow(error / amplitude, 2)),
+               z = (std::log(critical / coefficient) + 0.5 * (a - b)) / std::sqrt(a + b);
+  const double expected = gsl_cdf_ugaussian_P(z);
+  const auto result = studies::slip_uncertainty(of, keys, {.samples = 20000});
+  EXPECT_TRUE(within(result.probability_of_slip.value, expected, sampling(expected, 20000)));
+}
+
 // A verdict comes from another search than the margin of the same sample. Damping makes the force much smaller.
 TEST(SlipProbability, CountsMarginsBelowOne) {
   data::Case of = problem();
