@@ -20,7 +20,7 @@ hz = amplitude = 0
 verdict = ''
 # A row next to which the verdict changes: the amplitude before it, in mm.
 before(f, a, v) = (last = f == hz && v ne verdict ? 1e3 * amplitude : NaN, hz = f, amplitude = a, verdict = v, last)
-set margins screen 0.085, screen 0.98, screen 0.145, screen 0.86
+set margins screen 0.085, screen 0.965, screen 0.145, screen 0.86
 plot folder.'fig12-curve.csv' using 1:(1e3 * $2) with filledcurves y=0 fillcolor rgb stick_fill notitle, \
      '' using 1:(1e3 * $2) with lines linestyle 1 title 'critical, closed form', \
      points using 1:(before($1, $2, strcol(4))) with points pointtype 5 pointsize 0.6 linecolor rgb blue title 'last that sticks', \

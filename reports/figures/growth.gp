@@ -10,7 +10,7 @@ array dashes[4] = [1, 2, 1, 2]
 array titles[3] = ["Resolved in time,\nthe bound σ* grows", "The observed growth\nstays below it", "Where both stay low,\nthe error may fall"]
 array low[3] = [1, 1, 0.1]
 array high[3] = [1e4, 1e4, 1e2]
-array left[3] = [0.095, 0.36, 0.735]
+array left[3] = [0.1, 0.365, 0.735]
 set logscale xy
 set xrange [4:200]
 set xtics (5, 10, 20, 40, 80, '160' 160)

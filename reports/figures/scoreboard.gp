@@ -8,7 +8,9 @@ file = folder.'scoreboard.csv'
 set tics out nomirror
 unset grid
 unset key
-set xtics rotate by 90 right font font_name.',7.5'
+stats file using 4 name 'code' nooutput
+narrow = sprintf('%s,%.2g', font_name, 9 * width / (code_max + 1))  # as wide as a column
+set xtics rotate by 90 right font narrow
 set yrange [:] reverse
 set palette defined (-1 '#EAF4FB', -0.001 '#C3DFF2', 0 '#FBBE7A', 2 '#E07A2F', 4 '#A63A14', 6 '#3D0A05')  # darker throughout
 set cbrange [-1:6]

@@ -21,7 +21,7 @@ gap = 0.033 * all  # over and below each history
 per_mm = (1 - 1.2 / height - 0.65 / height * panels) / (all + 2 * panels * gap)
 set xrange [0:shown]
 set xtics 0.1
-set ytics all > 10 ? 1 : 0.5
+set ytics all > 10 ? 2 : 0.5
 unset key
 set lmargin at screen 0.095
 set rmargin at screen 0.98
