@@ -42,7 +42,7 @@ do for [i = 1:int(panels)] {
     set xlabel 'time t / s'
     set label 'tip displacement y(L, t) / mm' at screen 0.017, 0.53 center rotate
   }
-  if (i == 1) { set label 1 'sticks' at graph 0.01, graph 0.85 front } else { unset label 1 }
+  if (i == 1) { set label 9 'sticks' at graph 0.01, graph 0.85 front } else { unset label 9 }
   last = 0
   rests(y) = (step = abs(y - last), last = y, step < 1e-6)
   plot file using 1:(low):(rests(column(2 * i)) ? high : low) with filledcurves linecolor rgb stick_fill, \
