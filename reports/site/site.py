@@ -34,7 +34,7 @@ Image = namedtuple("Image", "href alt")
 Verdict = namedtuple("Verdict", "text good")  # shown with a sign and a colour
 Row = namedtuple("Row", "id cells")
 Chart = namedtuple("Chart", "title points last")  # points of a line in a box of 200 by 60, and its last value
-Page = namedtuple("Page", "name title intro columns rows charts", defaults=[()])
+Page = namedtuple("Page", "name title intro columns rows charts group", defaults=[(), ""])
 
 
 def number(value, digits=6):
@@ -448,8 +448,26 @@ class Site:
             [column.replace("_", " ").capitalize() for column in columns], rows, charts)
 
     def pages(self):
-        return [self.verdicts(), self.requirements(), self.tests(), self.tolerances(), self.claims(), self.errata(), self.numbers(), self.paper(),
-                self.sensitivity(), self.figures_page(), self.data_sets(), self.scoreboard(), self.wrong_models(), self.mutants(), self.bad_input(), self.speed(), self.history()]
+        groups = {
+            "Use it": [self.argument(), self.wrong_models(), self.speed()],
+            "Evidence": [self.verdicts(), self.requirements(), self.tests(), self.tolerances(), self.mutants(), self.bad_input(), self.sensitivity(),
+                         self.claims(), self.errata(), self.numbers(), self.paper(), self.history()],
+            "Data": [self.data_sets(), self.figures_page()],
+            "Other codes": [self.scoreboard()]}
+        return [page._replace(group=group) for group, pages in groups.items() for page in pages]
+
+
+def navigation_of(pages):
+    """The links of each group of pages, and those to what is no page of the site.
+
+    >>> navigation_of([Page("a", "A", [], [], [], group="Data"), Page("b", "B", [], [], [], group="Data")])["Data"][1:]
+    [Link(text='B', href='b.html'), Link(text='Tables of the report', href='tables.html')]
+    """
+    groups = {}
+    others = [("Use it", Link("Report (PDF)", "../vv-report.pdf")), ("Data", Link("Tables of the report", "tables.html"))]
+    for group, link in [(page.group, Link(page.title, f"{page.name}.html")) for page in pages] + others:
+        groups.setdefault(group, []).append(link)
+    return groups
 
 
 def kind_of(cell):
@@ -478,7 +496,7 @@ def write_site(known, templates, data, figures, output):
     environment = jinja2.Environment(loader=jinja2.FileSystemLoader(FOLDER), autoescape=True, undefined=jinja2.StrictUndefined,
                                      trim_blocks=True, lstrip_blocks=True)
     environment.tests["kind"] = lambda cell, kind: kind_of(cell) == kind
-    environment.globals |= {"pages": pages, "environment": known["environment"], "tests": known["tests"],
+    environment.globals |= {"pages": pages, "navigation": navigation_of(pages), "environment": known["environment"], "tests": known["tests"],
                             "tested_commit": known["tested_commit"], "provenance": known["provenance"]}
     write = lambda name, template, **values: (output / name).write_text(environment.get_template(template).render(**values))
     write("index.html", "index.html", root="", page=site.argument(), title="Does the tip slip? From use to verdict")
