@@ -147,11 +147,6 @@ void write_site(const fs::path& values, OutputFolder& output) {
              {(templates_directory() / "report").string(), data::data_directory().string(), values.string(),
               output.folder().string(), site.string()},
              output.scratch(), "the pages of evidence cannot be made");
-  const fs::path report = output.folder() / "vv-report.pdf";
-  const std::vector<std::string> first_page{
-      "-r", "100", "-l", "1", "-png", "-singlefile", report.string(), (site / "page-1").string()};
-  if (run_tool("pdftoppm", first_page, output.scratch(), output.scratch() / "page.log") != 0)
-    throw std::runtime_error("pdftoppm could not draw the first page of the report");
   fs::remove_all(output.folder() / "site");
   output.publish(site);
 }

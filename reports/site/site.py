@@ -14,6 +14,7 @@ import csv
 import decimal
 import functools
 import json
+import math
 import re
 import shutil
 import subprocess
@@ -22,6 +23,7 @@ from collections import namedtuple
 from pathlib import Path
 
 import jinja2
+import markupsafe
 
 FOLDER = Path(__file__).resolve().parent
 sys.path.insert(0, str(FOLDER.parent / "report"))
@@ -34,6 +36,8 @@ Image = namedtuple("Image", "href alt")
 Verdict = namedtuple("Verdict", "text good")  # shown with a sign and a colour
 Row = namedtuple("Row", "id cells")
 Chart = namedtuple("Chart", "title points last")  # points of a line in a box of 200 by 60, and its last value
+Table = namedtuple("Table", "title columns rows kind", defaults=[""])
+Curve = namedtuple("Curve", "name text points")
 Page = namedtuple("Page", "name title intro columns rows charts group", defaults=[(), ""])
 
 
@@ -122,7 +126,7 @@ def tables_of(text, frame):
                           capture_output=True, text=True, check=True).stdout
     if html.count("<caption>") != len(tables):
         raise RuntimeError(f"pandoc made {html.count('<caption>')} tables of {len(tables)}")
-    return html.replace('href="site/', 'href="')
+    return re.sub("<th[^>]*></th>", "<td></td>", html.replace('href="site/', 'href="'))
 
 
 def drawings_of(text):
@@ -136,6 +140,52 @@ def drawings_of(text):
         drawings += [(number, name, section, " ".join(alt.split()), caption)
                      for name, alt in re.findall(r"\\drawing(?:\[.*?\])?{([a-z0-9-]+)}\s*{([^}]*)}", figure)]
     return drawings
+
+
+def boxes_of(text):
+    r"""The boxes of the report's first page: kind, head, note and words.
+
+    >>> boxes_of(r"\cellcolor{use}\textbf{$\surd$ Use}\newline (a) & b, 5\,\%. \\\\[1ex] \cellcolor{use}yes & \\\\")
+    [('use', 'Use', '(a)', 'b, 5 %.')]
+    """
+    boxes = re.findall(r"\\cellcolor{(\w+)}\\textbf{\$\\\w+\$ (.*?)}(?:\\newline)?([^&]*)&(.*?)\\\\", text, re.DOTALL)
+    return [(kind, *map(unlatexed, words)) for kind, *words in boxes]
+
+
+def limits_of(figures, drawings):
+    """The figure of the front page, a box of 426 by 252 at (46, 10), from the table of the report's figure: amplitudes in mm, log axis."""
+    lines = [line for line in (figures / "limits.csv").read_text().splitlines() if not line.startswith("#")]
+    rows = [[float(hz), *(1e3 * float(one) for one in amplitudes)] for hz, *amplitudes in list(csv.reader(lines))[1:]]
+    across = lambda hz: round(46 + 3.61 * (hz - 2), 1)
+    down = lambda mm: round(110.8 - 50.4 * math.log10(max(mm, 1e-3)), 1)
+    curves = [Curve(f"curve-{n}", text, " ".join(f"{across(row[0])},{down(row[n])}" for row in rows))
+              for n, text in enumerate(("start-up: the criterion", "steady", "start-up, damped", "steady, damped"), 1)]
+    _, _, _, alt, caption = next(drawing for drawing in drawings if drawing[1] == "limits")
+    table = [[f"{hz:g}", *(f"{one:.3g}" for one in amplitudes)] for hz, *amplitudes in rows if hz == rows[0][0] or hz % 10 == 0]
+    natural = [float(line.split(",")[1]) for line in (figures / "limits-values.csv").read_text().splitlines() if line.startswith("natural")]
+    return {"natural": [across(hz) for hz in natural if hz < rows[-1][0]], "curves": curves, "rows": [[float(f"{one:.4g}") for one in row] for row in rows], "alt": alt, "caption": caption,
+            "ticks": [(40, down(10.0 ** n), f"{10.0 ** n:g}") for n in range(-3, 3)] + [(across(hz), 262, hz) for hz in range(20, 121, 20)],
+            "table": Table("Critical amplitude in mm", ["Hz", *(curve.text for curve in curves)], table)}
+
+
+def referring(text, drawings):
+    """The words of the report with links to the figures and tables that they name.
+
+    >>> referring("Fig. 2 & Table 3", [(2, "a", "", "", "")])
+    Markup('<a href="figures.html#a">Fig. 2</a> &amp; <a href="tables.html#table-3">Table 3</a>')
+    """
+    names = {number: name for number, name, *_ in drawings}
+    text = re.sub(r"Fig\. (\d+)", lambda found: f'<a href="figures.html#{names[int(found[1])]}">{found[0]}</a>', str(markupsafe.escape(text)))
+    return markupsafe.Markup(re.sub(r"(Table (\d+))", r'<a href="tables.html#table-\2">\1</a>', text))
+
+
+def breakable(text):
+    """A name that may be broken at its dots and capitals, and nowhere else.
+
+    >>> breakable("a.BigName/b & c")
+    Markup('a.<wbr>Big<wbr>Name/<wbr>b &amp; c')
+    """
+    return markupsafe.Markup(re.sub(r"(?<=[./_:-])(?=\w)|(?<=[a-z])(?=[A-Z])", "<wbr>", str(markupsafe.escape(text))))
 
 
 class Site:
@@ -498,8 +548,9 @@ def write_site(known, templates, data, figures, output):
     environment.tests["kind"] = lambda cell, kind: kind_of(cell) == kind
     environment.globals |= {"pages": pages, "navigation": navigation_of(pages), "environment": known["environment"], "tests": known["tests"],
                             "tested_commit": known["tested_commit"], "provenance": known["provenance"]}
+    environment.filters |= {"breakable": breakable, "referring": lambda text: referring(text, site.drawings)}
     write = lambda name, template, **values: (output / name).write_text(environment.get_template(template).render(**values))
-    write("index.html", "index.html", root="", page=site.argument(), title="Does the tip slip? From use to verdict")
+    write("index.html", "index.html", root="", title="Does the tip of a shaken beam slip?", boxes=boxes_of(text), limits=limits_of(figures, site.drawings))
     write("tables.html", "base.html", root="", title="Tables of the report", content=tables_of(text, frame))
     for page in pages:
         write(f"{page.name}.html", "table.html", root="", page=page, title=page.title)
@@ -508,7 +559,7 @@ def write_site(known, templates, data, figures, output):
         write(name, "source.html", root="../" * name.count("/"), title=name.removeprefix("source/").removesuffix(".html"),
               lines=lines_of(file))
     (output / "search.js").write_text(f"const index = {json.dumps(index_of(pages))};\n{(FOLDER / 'search.js').read_text()}")
-    for asset in ("site.css", "site.js"):
+    for asset in ("site.css", "site.js", "front.js"):
         shutil.copy(FOLDER / asset, output)
     shutil.copytree(data / "reference", output / "data")
 

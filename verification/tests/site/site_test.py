@@ -5,8 +5,7 @@
   site_test.py REPORT AXE
 
 REPORT is the folder of the report, with the folder site. AXE is the folder for axe-core, the accessibility checker, which is
-fetched when it is missing. The packages chromium-driver, python3-selenium and
-poppler-utils are needed.
+fetched when it is missing. The packages chromium-driver, python3-selenium and poppler-utils are needed.
 """
 
 import base64
@@ -23,7 +22,9 @@ from pathlib import Path
 from urllib.parse import unquote, urlsplit
 
 from selenium import webdriver
+from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.by import By
+from selenium.webdriver.common.keys import Keys
 
 AXE_URL = "https://registry.npmjs.org/axe-core/-/axe-core-4.14.1.tgz"
 AXE_SHA512 = "FHfa+lmNjQZfJz1q8wKqIDwC6DExcHt/pkjNQb09a3NPjCKg2rhu5qb2S4r76ASyFNNtuFooJpZe37OgudVGtQ=="
@@ -144,9 +145,23 @@ class Site(unittest.TestCase):
             "return [...document.querySelectorAll('tbody tr:not([hidden])')].map(row => row.cells[2].textContent.trim())")
         self.assertEqual(shown, ["X2"] * count)
 
-    def test_front_page_leads_from_a_use_to_criteria_and_tests_without_templates(self):
+    def test_front_page_shows_the_critical_amplitude_at_a_frequency(self):
         self.open("index.html")
-        self.assertGreater(self.browser.execute_script("return document.querySelector('img.page').naturalWidth"), 600)
+        tabled = self.browser.execute_script(
+            "return [...document.querySelectorAll('figure tbody tr')].map(row => [...row.cells].map(cell => cell.textContent))")
+        self.browser.find_element(By.ID, "frequency").send_keys(Keys.HOME)
+        figure = self.browser.find_element(By.ID, "limits")
+        for row, move in ((tabled[0], None), (tabled[-1], ActionChains(self.browser).move_to_element_with_offset(figure, figure.size["width"] // 2 - 15, 0))):
+            if move:
+                move.perform()
+            self.assertEqual(self.browser.find_element(By.CSS_SELECTOR, "#reader output").text, f"{row[0]} Hz")
+            shown = [one.text.removesuffix(" mm") for one in self.browser.find_elements(By.CSS_SELECTOR, ".legend strong")]
+            self.assertEqual([float(one) for one in shown], [float(one) for one in row[1:]])
+
+    def test_front_page_has_three_boxes_and_leads_to_criteria_without_templates(self):
+        self.open("index.html")
+        self.assertEqual([box.get_attribute("class") for box in self.browser.find_elements(By.CSS_SELECTOR, "section[class]")], ["use", "margin", "avoid"])
+        self.browser.find_element(By.CSS_SELECTOR, "main a[href='argument.html']").click()
         self.browser.find_element(By.CSS_SELECTOR, "#force [data-name='Criteria met'] a").click()
         self.assertGreater(len(self.shown_rows()), 3)
         for page in SITE.glob("*.html"):
