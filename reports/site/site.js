@@ -2,7 +2,7 @@
 // Search and sorting of the table of a page. Without this script the whole table is shown.
 "use strict";
 
-const table = document.querySelector("table");
+const table = document.querySelector("table[role]");
 const body = table.tBodies[0];
 const rows = [...body.rows];
 const query = document.getElementById("query");
@@ -48,3 +48,14 @@ query.value = address.get("q") ?? "";
 query.addEventListener("input", search);
 query.form.addEventListener("submit", (event) => event.preventDefault());
 search();
+
+// A row that an address names is shown, where rows are folded as well.
+function unfold() {
+  const row = document.getElementById(location.hash.slice(1));
+  const folded = table.closest("details");
+  if (!folded || !(address.has("q") || body.contains(row))) return;
+  folded.open = true;
+  row?.scrollIntoView({ block: "center" });
+}
+addEventListener("hashchange", unfold);
+unfold();

@@ -34,11 +34,12 @@ Number = namedtuple("Number", "text value")
 Code = namedtuple("Code", "text")
 Image = namedtuple("Image", "href alt")
 Verdict = namedtuple("Verdict", "text good")  # shown with a sign and a colour
+Mark = namedtuple("Mark", "text kind href title")  # a sign with a number in a cell of a matrix, which leads to its row
 Row = namedtuple("Row", "id cells")
 Chart = namedtuple("Chart", "title points last")  # points of a line in a box of 200 by 60, and its last value
 Table = namedtuple("Table", "title columns rows kind", defaults=[""])
 Curve = namedtuple("Curve", "name text points")
-Page = namedtuple("Page", "name title intro columns rows charts group", defaults=[(), ""])
+Page = namedtuple("Page", "name title intro columns rows charts tables group", defaults=[(), (), ""])
 
 
 def number(value, digits=6):
@@ -56,6 +57,21 @@ def rounded_up(value):
     (Number(text='0.046', value=0.0451), '')
     """
     return "" if value is None else Number(f"{float(decimal.Context(2, decimal.ROUND_UP).create_decimal(repr(float(value)))):.2g}", float(value))
+
+
+def brief(ratio):
+    """
+    >>> [brief(float(text)) for text in ("8.1e-10", "0.52", "440", "4.4e3", "inf")]
+    ['<0.1', '0.52', '440', '4e3', 'inf']
+    """
+    return "<0.1" if ratio < 0.1 else f"{ratio:.2g}" if ratio < 10 else f"{ratio:.0f}" if ratio < 1000 else f"{ratio:.0e}".replace("e+0", "e")
+
+
+def mark(run, href):
+    """A run of another code as a cell of the matrix: by its level agreement, agreement to one of 1e-1 to 1e-3, none, or not run."""
+    sign, kind = {"strict": ("✓", "good"), "none": ("✗", "bad"), "": ("–", "")}.get(run["level"], ("✗", "near"))
+    return Mark(f"{sign} {brief(float(run['ratio']))}" if run["ratio"] else sign, kind, href,
+                f"{run['code']}, {run['problem']}, {run['settings']}: {run['note'] if kind == '' else run['verdict']}")
 
 
 def words(text):
@@ -345,6 +361,28 @@ class Site:
             "changes no result that a test can see. The counts are those of the last recorded run of each part.", *counts,
             "Command: ./verification/run --mutants -- --part data"], ["Kind", "File", "Function", "Change", "Reason"], rows)
 
+    def matrix(self):
+        """Codes by problems, with the marks of the usual settings and of the best ones.
+
+        >>> run = {"code": "a", "problem": "p", "settings": "s", "verdict": "differs", "level": "1e-2", "ratio": "30", "note": ""}
+        >>> runs = [run, run | {"level": "strict", "ratio": "0.5"}, run | {"code": "b", "level": "", "ratio": ""}, run | {"problem": "q", "ratio": ""}]
+        >>> table = site_of(scoreboard=runs).matrix()
+        >>> table.columns, [[cell if isinstance(cell, str) else [(mark.text, mark.kind, mark.href) for mark in cell] for cell in row] for row in table.rows]
+        (['Code', 'p'], [['a', [('✗ 30', 'near', '#0'), ('✓ 0.5', 'good', '#1')]], ['b', [('–', '', '#2')]]])
+        """
+        cells = {}
+        for index, run in enumerate(self.known["scoreboard"]):
+            cells.setdefault((run["code"], run["problem"]), []).append((float(run["ratio"] or math.inf), index, run))
+        columns = dict.fromkeys(problem for (_, problem), runs in cells.items() if any(run["ratio"] for _, _, run in runs))
+        rows = []
+        for code in dict.fromkeys(code for code, _ in cells):
+            rows.append([code])
+            for problem in columns:
+                runs = cells.get((code, problem), [])
+                shown = [next((one for one in runs if one[2]["ratio"]), runs[0]), min(runs)] if runs else []
+                rows[-1].append(list({index: mark(run, f"#{index}") for _, index, run in shown}.values()))
+        return Table("Error over tolerance", ["Code", *columns], rows, "matrix")
+
     def scoreboard(self):
         sets = {resource["name"] for resource in self.known["package"]["resources"]}
         rows = [Row(f"{index}", [one["code"], one["version"],
@@ -354,12 +392,13 @@ class Site:
                                  number(float(one["cost"]) if one["cost"] else None, 2), one["data"], one["date"], one["machine"], one["note"]])
                 for index, one in enumerate(self.known["scoreboard"])]
         return Page("scoreboard", "Other codes", [
-            "Other codes on the problems of the reference data, a record of an earlier run: usual settings first, then what it takes to agree, or the best step.",
-            "The ratio is error over tolerance, the creep the mean velocity of a block that must not move.",
-            "The cost is processor time in units of that of this program with its first settings.",
-            "Command: ./verification/run --peers"],
+            "Other codes on the problems of the reference data, a record of an earlier run. A cell has error over tolerance: usual settings first, then "
+            "the best that were found. ✓ on green: agrees within the tolerance. ✗ on yellow: agrees to 1e-1, 1e-2 or 1e-3 (the level). ✗ on red: to none of "
+            "them. –: the code or its driver cannot run it; empty: no driver. A problem that no code ran is in the table of all runs only.",
+            "The creep is the mean velocity of a block that must not move. The cost is processor time in units of that of this program with its first "
+            "settings. Command: ./verification/run --peers"],
             ["Code", "Version", "Data set", "Settings", "Verdict", "Level", "Quantity", "Error", "Tolerance", "Ratio", "Creep", "Cost", "Data", "Day",
-             "Machine", "Note"], rows)
+             "Machine", "Note"], rows, tables=[self.matrix()])
 
     def wrong_models(self):
         columns = ["stick_frequency", "slip_frequency", "force_maximum", "stick_force", "stick_displacement", "first_slip",
