@@ -351,15 +351,18 @@ class Site:
             ["Place", "Requirements", "Tests", "Claims"], rows)
 
     def mutants(self):
-        entries = [one | {"kind": kind} for kind in ("open", "equivalent") for one in self.known[kind]]
+        entries = [one | {"kind": kind} for kind in ("survivor", "equivalent") for one in self.known["open" if kind == "survivor" else kind]]
         rows = [Row(f"{index}", [one["kind"], Code(one["file"]), Code(one["function"]), Code(one["edit"]), one["why"]])
                 for index, one in enumerate(entries)]
-        counts = [f"Part {one['part']}, seed {one['seed'] or 'none'}: {one['mutants']} mutants, {one['killed']} killed, {one['equivalent']} equivalent, "
-                  f"{one['survived']} survived." for one in self.known["mutants"]]
+        accepted = self.known["accepted_mutants"]
+        shares = [[one["part"], one["of"], one["survived"], f"{one['share']:.0%}", f"{one['least']:.0%} to {one['most']:.0%}",
+                   f"{accepted['share' if one['part'] == 'all' else 'share_of_part']:.0%}", decided(one["accepted"])] for one in self.known["killed"]]
         return Page("mutants", "Mutants", [
-            "A mutant is the program with one mistake. An open one is a survivor: a test could see it, and none that ran does. An equivalent one "
-            "changes no result that a test can see. The counts are those of the last recorded run of each part.", *counts,
-            "Command: ./verification/run --mutants -- --part data"], ["Kind", "File", "Function", "Change", "Reason"], rows)
+            "A mutant is the program with one mistake. A survivor is one that no test noticed, although one could. An equivalent mutant "
+            "changes no result that a test can see; it is not counted. The shares are those of the last recorded run of each part; tests were added after it.",
+            "Command: ./verification/run --mutants -- --part data"], ["Kind", "File", "Function", "Change", "Reason"], rows,
+            tables=[Table("Share of the mutants that the tests noticed", ["Part", "Mutants", "Survived", "Share", "95 % interval", "Accepted from", "Accepted"],
+                          shares)])
 
     def matrix(self):
         """Codes by problems, with the marks of the usual settings and of the best ones.
