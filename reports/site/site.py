@@ -27,7 +27,7 @@ import markupsafe
 
 FOLDER = Path(__file__).resolve().parent
 sys.path.insert(0, str(FOLDER.parent / "report"))
-from render import environment_for, read_values  # noqa: E402
+from render import environment_for, plain, read_values, sig  # noqa: E402
 
 Link = namedtuple("Link", "text href")
 Number = namedtuple("Number", "text value")
@@ -50,13 +50,13 @@ def number(value, digits=6):
     return "" if value is None else Number(f"{value:.{digits}g}", float(value))
 
 
-def rounded_up(value):
+def rounded_up(value, digits=2):
     """As the report gives what others stay within.
 
-    >>> rounded_up(0.0451), rounded_up(None)
-    (Number(text='0.046', value=0.0451), '')
+    >>> rounded_up(0.0451), rounded_up(-1.5e-8, 1), rounded_up(None)
+    (Number(text='0.046', value=0.0451), Number(text='-2e-08', value=-1.5e-08), '')
     """
-    return "" if value is None else Number(f"{float(decimal.Context(2, decimal.ROUND_UP).create_decimal(repr(float(value)))):.2g}", float(value))
+    return "" if value is None else number(float(decimal.Context(digits, decimal.ROUND_UP).create_decimal(repr(float(value)))), digits)._replace(value=value)
 
 
 def brief(ratio):
@@ -243,7 +243,7 @@ class Site:
             rows.append(Row(test["id"], [
                 Link(test["id"], f"#{test['id']}"), outcome, Link(test["requirement"], f"requirements.html#{test['requirement']}"),
                 self.source_link(test), number(test["comparisons"] or None), number(worst["computed"]), number(worst["expected"]),
-                number(worst["error"], 2), number(worst["tolerance"], 2), number(worst["margin"], 2), worst.get("class", ""),
+                rounded_up(worst["error"]), number(worst["tolerance"], 2), rounded_up(worst["margin"]), worst.get("class", ""),
                 Code(f"ctest --test-dir build/release -R '^{re.escape(test['id'])}$'")]))
         return Page("tests", "Tests", [
             "Each test with the requirement that it serves, its source and the command that runs it.",
@@ -268,14 +268,14 @@ class Site:
             failed = sum(not test["passed"] and not test["skipped"] for test in tests)
             rows.append(Row(item["name"], [item["name"], item["text"], item["source"],
                                            Link(str(len(tests)), f"tests.html?q={item['name']}&column=Requirement"),
-                                           number(failed), number(max(margins, default=None), 2)]))
+                                           number(failed), rounded_up(max(margins, default=None))]))
         return Page("requirements", "Requirements", [
             "What must hold, where it comes from, how many tests serve it, how many of them failed, and their largest margin."],
             ["Requirement", "What must hold", "Where it comes from", "Tests", "Failed", "Largest margin"], rows)
 
     def tolerances(self):
         rows = [Row(f"{index}", [Link(entry["id"], f"tests.html#{entry['id']}"), entry["class"], number(entry["count"]),
-                                 number(entry["error"], 2), number(entry["tolerance"], 2), number(entry["margin"], 2),
+                                 rounded_up(entry["error"]), number(entry["tolerance"], 2), rounded_up(entry["margin"]),
                                  entry["derivation"]])
                 for index, entry in enumerate(self.known["tolerances"])]
         return Page("tolerances", "Tolerances", [
@@ -446,8 +446,8 @@ class Site:
             values = resource.get("comparison", {}).get("values", [])
             rows.append(Row(resource["name"], [
                 number(level if can else None), can, resource["name"], resource["title"], resource["description"], resource["provenance"]["class"],
-                [f"{value['field']}: {value['tolerance']:g} ({value['norm']})" for value in values],
-                Link(resource["path"], f"data/{resource['path']}"), Code(f"build/release/bin/stickslip reference show {resource['name']}")]))
+                [f"{value['field']}: tolerance {value['tolerance']:g} ({value['norm']})" for value in values],
+                Link(resource["path"], f"data/{resource['path']}"), Code(f"stickslip reference show {resource['name']}")]))
         return Page("data", "Reference data", [
             "Which data set for my code? Begin with level 1 and go on to what your code can; the other sets follow.",
             "The tolerances are those that are proposed for a comparison: stickslip compare SET FILE, or the Python package, judges by them."],
@@ -458,15 +458,18 @@ class Site:
         for one in self.known["quantities"]:
             rows.append(Row(one["id"], [
                 {"beam": "A beam of one's own", "code": "A check of another code"}[one["use"]], one["what"],
-                one["needed"], *(rounded_up(part) for part in (one["parts"] + [None] * 3)[:4]), Verdict(one["fit"], one["fit"] == "yes") if one["fit"] in ("yes", "no") else one["fit"], one["limits"],
+                one["needed"], unlatexed(plain(100 * one["most"])),
+                *(rounded_up(None if part is None else 100 * part, 1 if (part or 0) < 1e-4 else 2) for part in (one["parts"] + [None] * 3)[:4]),
+                Verdict(one["fit"], one["fit"] == "yes") if one["fit"] in ("yes", "no") else one["fit"], one["limits"],
                 [Link(name, f"requirements.html#{name}") for name in one["requirements"]],
                 Verdict(f"{one['tests'] - one['failed']} of {one['tests']}", not one["failed"]) if one["tests"] else "not run",
                 Link(f"{one['met']} of {len(one['results'])}", f"verdicts.html?q={one['id']}&column=Quantity") if one["results"] else "",
                 [Code(f"stickslip {command}") for command in one["commands"]]]))
         return Page("argument", "From use to verdict", [
-            "What the program is for, which quantities that takes, how accurate each must be, and what is known of its error: numerics, other models, inputs as they scatter, and the model against measurement. The report has the same table.",
+            "What the program is for, which quantities that takes, how accurate each must be, and what is known of its error: numerics, other models, "
+            "inputs as they scatter, and the model against measurement. Empty: not known, or not needed. The report has the same table.",
             "Commands that compute nothing: " + "; ".join(f"{name} ({why})" for name, why in self.known["excluded"].items()) + "."],
-            ["Use", "Quantity", "Needed for the use", "Numerics", "Model", "Inputs", "Measured", "Fit", "Limits", "Requirements", "Tests passed", "Criteria met", "Commands"], rows)
+            ["Use", "Quantity", "Needed for the use", "Need, %", "Numerics, %", "Model, %", "Inputs, %", "Measured, %", "Fit", "Limits", "Requirements", "Tests passed", "Criteria met", "Commands"], rows)
 
     def verdicts(self):
         """
@@ -475,7 +478,7 @@ class Site:
         >>> site = site_of(acceptance=[one | {"passed": True}], on_the_paper=[one | {"passed": False, "least": 0.25}], studies={"e"}, requirements=[])
         >>> site.drawings = [(1, "g", "sec:e", "", ""), (2, "h", "sec:i", "", "")]
         >>> [[getattr(cell, "text", cell) for cell in row.cells[:1] + row.cells[4:9]] for row in site.verdicts().rows]
-        [['paper', '0.125', 'at most 0.5', 'yes', 'c', ''], ['paper', '0.125', '0.25 to 0.5', 'no', 'c', 'd']]
+        [['paper', '0.125', 'at most 0.5', 'yes', 'c', ''], ['paper', '0.1250', '0.25 to 0.5', 'no', 'c', 'd']]
         >>> [cell[0] for cell in site.verdicts().rows[0].cells[10:]]
         [Link(text='Fig. 1', href='figures.html#g'), Link(text='e', href='../studies/e.json'), Code(text='stickslip report --only g')]
         """
@@ -488,7 +491,7 @@ class Site:
             studies = sorted(set(re.findall(r"[a-z_]+", result["value_of"])) & self.known["studies"])
             rows.append(Row(f"{index}", [
                 result.get("quantity", "paper"), Link(requirement, f"requirements.html#{requirement}"), result["what"], result["metric"],
-                number(result["value"], 3), criterion, decided(result["passed"]), result["basis"],
+                Number(unlatexed(sig(result["value"], 4)), result["value"]) if "least" in result else rounded_up(result["value"], 3), criterion, decided(result["passed"]), result["basis"],
                 "" if result["passed"] else result.get("remark", ""),
                 Link(str(served.get(requirement, 0)), f"tests.html?q={requirement}&column=Requirement"),
                 [Link(f"Fig. {number}", f"figures.html#{name}") for number, name in figures],
@@ -568,17 +571,18 @@ def kind_of(cell):
 
 
 def index_of(pages):
-    """What the search over all pages finds: page, address and words of each row.
+    """What the search over all pages finds: page, address and words of each page's sentences and of each row.
 
-    >>> index_of([Page("a", "A", [], [], [Row("1", ["b", Number("2", 2.0), [Link("c", "d"), Code("e")]])])])
-    [['A', 'a.html#1', 'b; c']]
+    >>> index_of([Page("a", "A", ["B."], ["C"], [Row("1", ["b", Number("2", 2.0), [Link("c", "d"), Code("e")]])])])
+    [['A', 'a.html', 'B.'], ['A', 'a.html#1', 'b; c']]
     """
     def words_of(cell):
         if isinstance(cell, list):
             return [word for one in cell for word in words_of(one)]
         return [] if isinstance(cell, (Number, Code, Image)) or not cell else [getattr(cell, "text", cell)]
 
-    return [[page.title, f"{page.name}.html#{row.id}", "; ".join(words_of(list(row.cells)))] for page in pages for row in page.rows]
+    return [[page.title, f"{page.name}.html", " ".join(page.intro)] for page in pages] + [
+        [page.title, f"{page.name}.html#{row.id}", "; ".join(words_of(list(row.cells)))] for page in pages for row in page.rows]
 
 
 def write_site(known, templates, data, figures, output):
