@@ -67,6 +67,18 @@ def brief(ratio):
     return "<0.1" if ratio < 0.1 else f"{ratio:.2g}" if ratio < 10 else f"{ratio:.0f}" if ratio < 1000 else f"{ratio:.0e}".replace("e+0", "e")
 
 
+def stated(problem):
+    """
+    >>> stated({"beam": {"column": "beam"}, "friction": {"static_coefficient": 0.6}})
+    '(beam: that of the column beam, friction: (static coefficient: 0.6))'
+    """
+    if not isinstance(problem, dict):
+        return str(problem)
+    if list(problem) == ["column"]:
+        return f"that of the column {problem['column']}"
+    return "(" + ", ".join(f"{key.replace('_', ' ')}: {stated(one)}" for key, one in problem.items()) + ")"
+
+
 def mark(run, href):
     """A run of another code as a cell of the matrix: by its level agreement, agreement to one of 1e-1 to 1e-3, none, or not run."""
     sign, kind = {"strict": ("✓", "good"), "none": ("✗", "bad"), "": ("–", "")}.get(run["level"], ("✗", "near"))
@@ -386,22 +398,24 @@ class Site:
                 rows[-1].append(list({index: mark(run, f"#{index}") for _, index, run in shown}.values()))
         return Table("Error over tolerance", ["Code", *columns], rows, "matrix")
 
-    def scoreboard(self):
+    def runs(self, problem=None):
+        """The runs of other codes on the problem of a data set, or of all of them."""
         sets = {resource["name"] for resource in self.known["package"]["resources"]}
-        rows = [Row(f"{index}", [one["code"], one["version"],
-                                 Link(one["problem"], f"data.html#{one['problem'] if one['problem'] in sets else 'published-problems'}"),
-                                 one["settings"], one["verdict"], one["level"], one["quantity"], one["error"], one["tolerance"],
-                                 number(float(one["ratio"]) if one["ratio"] else None, 2), one["creep"],
-                                 number(float(one["cost"]) if one["cost"] else None, 2), one["data"], one["date"], one["machine"], one["note"]])
-                for index, one in enumerate(self.known["scoreboard"])]
+        set_of = lambda run: run["problem"] if run["problem"] in sets else "published-problems"
+        return ["Code", "Version", "Problem", "Settings", "Verdict", "Level", "Quantity", "Error", "Tolerance", "Ratio", "Creep", "Cost", "Data", "Day",
+                "Machine", "Note"], [Row(f"{index}", [
+                    one["code"], one["version"], Link(one["problem"], f"data/{set_of(one)}.html"), one["settings"], one["verdict"], one["level"],
+                    one["quantity"], one["error"], one["tolerance"], number(float(one["ratio"]) if one["ratio"] else None, 2), one["creep"],
+                    number(float(one["cost"]) if one["cost"] else None, 2), one["data"], one["date"], one["machine"], one["note"]])
+                                     for index, one in enumerate(self.known["scoreboard"]) if problem in (None, set_of(one))]
+
+    def scoreboard(self):
         return Page("scoreboard", "Other codes", [
             "Other codes on the problems of the reference data, a record of an earlier run. A cell has error over tolerance: usual settings first, then "
             "the best that were found. ✓ on green: agrees within the tolerance. ✗ on yellow: agrees to 1e-1, 1e-2 or 1e-3 (the level). ✗ on red: to none of "
             "them. –: the code or its driver cannot run it; empty: no driver. A problem that no code ran is in the table of all runs only.",
             "The creep is the mean velocity of a block that must not move. The cost is processor time in units of that of this program with its first "
-            "settings. Command: ./verification/run --peers"],
-            ["Code", "Version", "Data set", "Settings", "Verdict", "Level", "Quantity", "Error", "Tolerance", "Ratio", "Creep", "Cost", "Data", "Day",
-             "Machine", "Note"], rows, tables=[self.matrix()])
+            "settings. Command: ./verification/run --peers"], *self.runs(), tables=[self.matrix()])
 
     def wrong_models(self):
         columns = ["stick_frequency", "slip_frequency", "force_maximum", "stick_force", "stick_displacement", "first_slip",
@@ -438,20 +452,29 @@ class Site:
                     ["Figure", "Picture", "Caption", "Data", "Command"], rows)
 
     def data_sets(self):
-        rows = []
+        """The list of the data sets, and a page of each."""
+        rows, pages = [], []
         levels = {step["set"]: (level, step["can"]) for level, step in enumerate(self.known["guide"], 1)}
         last = (len(levels) + 1, "")
-        for resource in sorted(self.known["package"]["resources"], key=lambda resource: levels.get(resource["name"], last)):
-            level, can = levels.get(resource["name"], last)
-            values = resource.get("comparison", {}).get("values", [])
-            rows.append(Row(resource["name"], [
-                number(level if can else None), can, resource["name"], resource["title"], resource["description"], resource["provenance"]["class"],
-                [f"{value['field']}: tolerance {value['tolerance']:g} ({value['norm']})" for value in values],
-                Link(resource["path"], f"data/{resource['path']}"), Code(f"stickslip reference show {resource['name']}")]))
-        return Page("data", "Reference data", [
-            "Which data set for my code? Begin with level 1 and go on to what your code can; the other sets follow.",
+        for one in sorted(self.known["package"]["resources"], key=lambda one: levels.get(one["name"], last)):
+            level, can = levels.get(one["name"], last)
+            name, made, values = one["name"], one["provenance"], one.get("comparison", {}).get("values", [])
+            rows.append(Row(name, [number(level if can else None), can, Link(name, f"data/{name}.html"), one["title"], one["provenance"]["class"],
+                                   Link(one["path"], f"data/{one['path']}"), Code(f"stickslip reference show {name}")]))
+            facts = {"Problem": stated(one.get("problem", {}))[1:-1],
+                     "Columns": [f"{field['name']}{' in ' + field['unit'] if 'unit' in field else ''}: {field['description']}"
+                                 for field in one["schema"]["fields"] if not field["name"].endswith("_radius")],
+                     "Tolerances": [f"{value['field']}: {value['tolerance']:g} ({value['norm']})" for value in values],
+                     "Uncertainty": f"{made['class']}; {made['method']}", "Checked by": [words(check) for check in made["checks"]],
+                     "File": Link(one["path"], f"data/{one['path']}"), "Show it": Code(f"stickslip reference show {name}"),
+                     "Judge a file": Code(f"stickslip compare {name} FILE") if values else ""}
+            pages.append(Page(f"data/{name}", one["title"], [f"{name}: {one['description']}"], *self.runs(name),
+                              tables=[Table("This data set", [], [fact for fact in facts.items() if fact[1]])]))
+        return [Page("data", "Reference data", [
+            "Which data set for my code? Begin with level 1 and go on to what your code can; the other sets follow. The page of each has its problem, "
+            "tolerances, and what other codes reach.",
             "The tolerances are those that are proposed for a comparison: stickslip compare SET FILE, or the Python package, judges by them."],
-                    ["Level", "Your code can", "Data set", "Title", "What it holds", "Uncertainty", "Tolerances", "File", "Command"], rows)
+                     ["Level", "Your code can", "Data set", "Title", "Uncertainty", "File", "Command"], rows), *pages]
 
     def argument(self):
         rows = []
@@ -547,7 +570,7 @@ class Site:
             "Use it": [self.argument(), self.wrong_models(), self.speed()],
             "Evidence": [self.verdicts(), self.requirements(), self.tests(), self.tolerances(), self.mutants(), self.bad_input(), self.sensitivity(),
                          self.claims(), self.errata(), self.numbers(), self.paper(), self.history()],
-            "Data": [self.data_sets(), self.figures_page()],
+            "Data": [*self.data_sets(), self.figures_page()],
             "Other codes": [self.scoreboard()]}
         return [page._replace(group=group) for group, pages in groups.items() for page in pages]
 
@@ -560,7 +583,7 @@ def navigation_of(pages):
     """
     groups = {}
     others = [("Use it", Link("Report (PDF)", "../vv-report.pdf")), ("Data", Link("Tables of the report", "tables.html"))]
-    for group, link in [(page.group, Link(page.title, f"{page.name}.html")) for page in pages] + others:
+    for group, link in [(page.group, Link(page.title, f"{page.name}.html")) for page in pages if "/" not in page.name] + others:
         groups.setdefault(group, []).append(link)
     return groups
 
@@ -579,9 +602,10 @@ def index_of(pages):
     def words_of(cell):
         if isinstance(cell, list):
             return [word for one in cell for word in words_of(one)]
-        return [] if isinstance(cell, (Number, Code, Image)) or not cell else [getattr(cell, "text", cell)]
+        return [] if isinstance(cell, (Number, Code, Image)) or not cell else [str(getattr(cell, "text", cell))]
 
-    return [[page.title, f"{page.name}.html", " ".join(page.intro)] for page in pages] + [
+    stated = lambda page: [*page.intro, *words_of([[list(row) for row in table.rows] for table in page.tables if not table.kind])]
+    return [[page.title, f"{page.name}.html", "; ".join(stated(page))] for page in pages] + [
         [page.title, f"{page.name}.html#{row.id}", "; ".join(words_of(list(row.cells)))] for page in pages for row in page.rows]
 
 
@@ -595,19 +619,22 @@ def write_site(known, templates, data, figures, output):
     environment.globals |= {"pages": pages, "navigation": navigation_of(pages), "environment": known["environment"], "tests": known["tests"],
                             "tested_commit": known["tested_commit"], "provenance": known["provenance"]}
     environment.filters |= {"breakable": breakable, "referring": lambda text: referring(text, site.drawings)}
-    write = lambda name, template, **values: (output / name).write_text(environment.get_template(template).render(**values))
-    write("index.html", "index.html", root="", title="Does the tip of a shaken beam slip?", boxes=boxes_of(text), limits=limits_of(figures, site.drawings))
-    write("tables.html", "base.html", root="", title="Tables of the report", content=tables_of(text, frame))
-    for page in pages:
-        write(f"{page.name}.html", "table.html", root="", page=page, title=page.title)
-    for file, name in site.sources.items():
+    shutil.copytree(data / "reference", output / "data")
+
+    def write(name, template, **values):
         (output / name).parent.mkdir(parents=True, exist_ok=True)
-        write(name, "source.html", root="../" * name.count("/"), title=name.removeprefix("source/").removesuffix(".html"),
+        (output / name).write_text(environment.get_template(template).render(root="../" * name.count("/"), **values))
+
+    write("index.html", "index.html", title="Does the tip of a shaken beam slip?", boxes=boxes_of(text), limits=limits_of(figures, site.drawings))
+    write("tables.html", "base.html", title="Tables of the report", content=tables_of(text, frame))
+    for page in pages:
+        write(f"{page.name}.html", "table.html", page=page, title=page.title)
+    for file, name in site.sources.items():
+        write(name, "source.html", title=name.removeprefix("source/").removesuffix(".html"),
               lines=lines_of(file))
     (output / "search.js").write_text(f"const index = {json.dumps(index_of(pages))};\n{(FOLDER / 'search.js').read_text()}")
     for asset in ("site.css", "site.js", "front.js"):
         shutil.copy(FOLDER / asset, output)
-    shutil.copytree(data / "reference", output / "data")
 
 
 SOURCES = r"\.(cpp|hpp|cmake|tex|gp|py|sh|html|js|css|in)$|CMakeLists.txt$|/run$|generate$"
