@@ -1,25 +1,26 @@
 // SPDX-License-Identifier: MIT
-// Reads the figure of the front page: the slider and the pointer choose a frequency, and the legend shows the amplitudes there.
+// Reads the figure of the front page: slider and pointer choose a frequency, and the legend shows the amplitudes there, [Hz, mm, ...].
 const limits = document.getElementById("limits");
-const values = JSON.parse(limits.dataset.rows);
-const reader = document.getElementById("reader");
+const rows = JSON.parse(limits.dataset.rows);
 const slider = document.getElementById("frequency");
 
 function read() {
-  const [hz, ...amplitudes] = values[slider.value];
-  reader.querySelector("output").textContent = `${hz} Hz`;
+  const [hz, ...amplitudes] = rows[slider.value];
+  slider.nextElementSibling.textContent = `${hz} Hz`;
   slider.setAttribute("aria-valuetext", `${hz} Hz`);
   document.getElementById("cursor").setAttribute("transform", `translate(${46 + 3.61 * (hz - 2)})`);
   document.querySelectorAll(".legend strong").forEach((place, curve) => { place.textContent = `${amplitudes[curve].toPrecision(3)} mm`; });
 }
 
-for (const kind of ["pointermove", "pointerdown"])
-  limits.addEventListener(kind, (event) => {
-    const box = limits.getBoundingClientRect();
-    slider.value = Math.round(slider.max * ((event.clientX - box.left) / box.width * 516 - 70) / 426);
-    read();
-  });
+function point(event) {
+  const { left, width } = limits.getBoundingClientRect();
+  slider.value = Math.round(slider.max * ((event.clientX - left) / width * 516 - 70) / 426);
+  read();
+}
+
+limits.addEventListener("pointermove", point);
+limits.addEventListener("pointerdown", point);
 slider.addEventListener("input", read);
-slider.value = values.findIndex(([hz]) => hz >= 35);
-reader.hidden = false;
+slider.value = rows.findIndex(([hz]) => hz >= 35);
+slider.parentElement.hidden = false;
 read();

@@ -49,13 +49,11 @@ query.addEventListener("input", search);
 query.form.addEventListener("submit", (event) => event.preventDefault());
 search();
 
-// A row that an address names is shown, where rows are folded as well.
+// Folded rows are shown when an address names one of them.
 function unfold() {
-  const row = document.getElementById(location.hash.slice(1));
   const folded = table.closest("details");
-  if (!folded || !(address.has("q") || body.contains(row))) return;
-  folded.open = true;
-  row?.scrollIntoView({ block: "center" });
+  if (folded && (address.has("q") || location.hash)) folded.open = true;
+  document.getElementById(location.hash.slice(1))?.scrollIntoView();
 }
 addEventListener("hashchange", unfold);
 unfold();

@@ -38,7 +38,6 @@ Mark = namedtuple("Mark", "text kind href title")  # a sign with a number in a c
 Row = namedtuple("Row", "id cells")
 Chart = namedtuple("Chart", "title points last")  # points of a line in a box of 200 by 60, and its last value
 Table = namedtuple("Table", "title columns rows kind", defaults=[""])
-Curve = namedtuple("Curve", "name text points")
 Page = namedtuple("Page", "name title intro columns rows charts tables group", defaults=[(), (), ""])
 
 
@@ -59,31 +58,12 @@ def rounded_up(value, digits=2):
     return "" if value is None else number(float(decimal.Context(digits, decimal.ROUND_UP).create_decimal(repr(float(value)))), digits)._replace(value=value)
 
 
-def brief(ratio):
-    """
-    >>> [brief(float(text)) for text in ("8.1e-10", "0.52", "440", "4.4e3", "inf")]
-    ['<0.1', '0.52', '440', '4e3', 'inf']
-    """
-    return "<0.1" if ratio < 0.1 else f"{ratio:.2g}" if ratio < 10 else f"{ratio:.0f}" if ratio < 1000 else f"{ratio:.0e}".replace("e+0", "e")
-
-
-def stated(problem):
-    """
-    >>> stated({"beam": {"column": "beam"}, "friction": {"static_coefficient": 0.6}})
-    '(beam: that of the column beam, friction: (static coefficient: 0.6))'
-    """
-    if not isinstance(problem, dict):
-        return str(problem)
-    if list(problem) == ["column"]:
-        return f"that of the column {problem['column']}"
-    return "(" + ", ".join(f"{key.replace('_', ' ')}: {stated(one)}" for key, one in problem.items()) + ")"
-
-
 def mark(run, href):
     """A run of another code as a cell of the matrix: by its level agreement, agreement to one of 1e-1 to 1e-3, none, or not run."""
-    sign, kind = {"strict": ("✓", "good"), "none": ("✗", "bad"), "": ("–", "")}.get(run["level"], ("✗", "near"))
-    return Mark(f"{sign} {brief(float(run['ratio']))}" if run["ratio"] else sign, kind, href,
-                f"{run['code']}, {run['problem']}, {run['settings']}: {run['note'] if kind == '' else run['verdict']}")
+    sign, kind = {"strict": ("✓", "use"), "none": ("✗", "avoid"), "": ("–", "none")}.get(run["level"], ("✗", "margin"))
+    ratio = float(run["ratio"] or math.nan)
+    text = "<0.1" if ratio < 0.1 else f"{ratio:.2g}" if ratio < 10 else f"{ratio:.0f}" if ratio < 1000 else f"{ratio:.0e}".replace("e+0", "e")
+    return Mark(f"{sign} {text}" if run["ratio"] else sign, kind, href, f"{run['code']}, {run['problem']}, {run['settings']}: {run['note'] or run['verdict']}")
 
 
 def words(text):
@@ -171,40 +151,30 @@ def drawings_of(text):
 
 
 def boxes_of(text):
-    r"""The boxes of the report's first page: kind, head, note and words.
+    r"""The boxes of the report's first page: kind, head, and words with links to the tables that they name.
 
-    >>> boxes_of(r"\cellcolor{use}\textbf{$\surd$ Use}\newline (a) & b, 5\,\%. \\\\[1ex] \cellcolor{use}yes & \\\\")
-    [('use', 'Use', '(a)', 'b, 5 %.')]
+    >>> boxes_of(r"\cellcolor{use}\textbf{$\surd$ Use}\newline (a) & b, 5\,\%, Table~3. \\\\[1ex] \cellcolor{use}yes & \\\\")
+    [('use', 'Use (a)', Markup('b, 5 %, <a href="tables.html#table-3">Table 3</a>.'))]
     """
-    boxes = re.findall(r"\\cellcolor{(\w+)}\\textbf{\$\\\w+\$ (.*?)}(?:\\newline)?([^&]*)&(.*?)\\\\", text, re.DOTALL)
-    return [(kind, *map(unlatexed, words)) for kind, *words in boxes]
+    boxes = re.findall(r"\\cellcolor{(\w+)}\\textbf{\$\\\w+\$ (.*?)&(.*?)\\\\", text, re.DOTALL)
+    linked = lambda words: markupsafe.Markup(re.sub(r"(Table (\d+))", r'<a href="tables.html#table-\2">\1</a>', str(markupsafe.escape(words))))
+    return [(kind, unlatexed(head.replace("\\newline", "")), linked(unlatexed(words))) for kind, head, words in boxes]
 
 
 def limits_of(figures, drawings):
     """The figure of the front page, a box of 426 by 252 at (46, 10), from the table of the report's figure: amplitudes in mm, log axis."""
-    lines = [line for line in (figures / "limits.csv").read_text().splitlines() if not line.startswith("#")]
-    rows = [[float(hz), *(1e3 * float(one) for one in amplitudes)] for hz, *amplitudes in list(csv.reader(lines))[1:]]
+    read = lambda name: [line.split(",") for line in (figures / name).read_text().splitlines() if not line.startswith("#")][1:]
+    rows = [[float(hz), *(float(f"{1e3 * float(one):.4g}") for one in amplitudes)] for hz, *amplitudes in read("limits.csv")]
     across = lambda hz: round(46 + 3.61 * (hz - 2), 1)
     down = lambda mm: round(110.8 - 50.4 * math.log10(max(mm, 1e-3)), 1)
-    curves = [Curve(f"curve-{n}", text, " ".join(f"{across(row[0])},{down(row[n])}" for row in rows))
+    curves = [(f"curve-{n}", text, " ".join(f"{across(row[0])},{down(row[n])}" for row in rows))
               for n, text in enumerate(("start-up: the criterion", "steady", "start-up, damped", "steady, damped"), 1)]
-    _, _, _, alt, caption = next(drawing for drawing in drawings if drawing[1] == "limits")
-    table = [[f"{hz:g}", *(f"{one:.3g}" for one in amplitudes)] for hz, *amplitudes in rows if hz == rows[0][0] or hz % 10 == 0]
-    natural = [float(line.split(",")[1]) for line in (figures / "limits-values.csv").read_text().splitlines() if line.startswith("natural")]
-    return {"natural": [across(hz) for hz in natural if hz < rows[-1][0]], "curves": curves, "rows": [[float(f"{one:.4g}") for one in row] for row in rows], "alt": alt, "caption": caption,
+    alt, caption = next(drawing[3:] for drawing in drawings if drawing[1] == "limits")
+    return {"curves": curves, "rows": rows, "alt": alt, "caption": caption,
+            "natural": [across(float(hz)) for name, hz, _ in read("limits-values.csv") if name.startswith("natural") and float(hz) < rows[-1][0]],
             "ticks": [(40, down(10.0 ** n), f"{10.0 ** n:g}") for n in range(-3, 3)] + [(across(hz), 262, hz) for hz in range(20, 121, 20)],
-            "table": Table("Critical amplitude in mm", ["Hz", *(curve.text for curve in curves)], table)}
-
-
-def referring(text, drawings):
-    """The words of the report with links to the figures and tables that they name.
-
-    >>> referring("Fig. 2 & Table 3", [(2, "a", "", "", "")])
-    Markup('<a href="figures.html#a">Fig. 2</a> &amp; <a href="tables.html#table-3">Table 3</a>')
-    """
-    names = {number: name for number, name, *_ in drawings}
-    text = re.sub(r"Fig\. (\d+)", lambda found: f'<a href="figures.html#{names[int(found[1])]}">{found[0]}</a>', str(markupsafe.escape(text)))
-    return markupsafe.Markup(re.sub(r"(Table (\d+))", r'<a href="tables.html#table-\2">\1</a>', text))
+            "table": Table("Critical amplitude in mm", ["Hz", *(text for _, text, _ in curves)],
+                           [[f"{one:.3g}" for one in row] for row in rows if row[0] % 10 == 0])}
 
 
 def breakable(text):
@@ -383,19 +353,18 @@ class Site:
         >>> runs = [run, run | {"level": "strict", "ratio": "0.5"}, run | {"code": "b", "level": "", "ratio": ""}, run | {"problem": "q", "ratio": ""}]
         >>> table = site_of(scoreboard=runs).matrix()
         >>> table.columns, [[cell if isinstance(cell, str) else [(mark.text, mark.kind, mark.href) for mark in cell] for cell in row] for row in table.rows]
-        (['Code', 'p'], [['a', [('✗ 30', 'near', '#0'), ('✓ 0.5', 'good', '#1')]], ['b', [('–', '', '#2')]]])
+        (['Code', 'p'], [['a', [('✗ 30', 'margin', '#0'), ('✓ 0.5', 'use', '#1')]], ['b', [('–', 'none', '#2')]]])
         """
         cells = {}
         for index, run in enumerate(self.known["scoreboard"]):
-            cells.setdefault((run["code"], run["problem"]), []).append((float(run["ratio"] or math.inf), index, run))
-        columns = dict.fromkeys(problem for (_, problem), runs in cells.items() if any(run["ratio"] for _, _, run in runs))
-        rows = []
-        for code in dict.fromkeys(code for code, _ in cells):
-            rows.append([code])
-            for problem in columns:
-                runs = cells.get((code, problem), [])
-                shown = [next((one for one in runs if one[2]["ratio"]), runs[0]), min(runs)] if runs else []
-                rows[-1].append(list({index: mark(run, f"#{index}") for _, index, run in shown}.values()))
+            cells.setdefault(run["code"], {}).setdefault(run["problem"], []).append((float(run["ratio"] or math.inf), index, run))
+        columns = dict.fromkeys(problem for row in cells.values() for problem, runs in row.items() if any(run["ratio"] for _, _, run in runs))
+
+        def marks(runs):
+            shown = [next((one for one in runs if one[2]["ratio"]), runs[0]), min(runs)]
+            return list({index: mark(run, f"#{index}") for _, index, run in shown}.values())
+
+        rows = [[code, *(marks(row[problem]) if problem in row else [] for problem in columns)] for code, row in cells.items()]
         return Table("Error over tolerance", ["Code", *columns], rows, "matrix")
 
     def runs(self, problem=None):
@@ -461,7 +430,7 @@ class Site:
             name, made, values = one["name"], one["provenance"], one.get("comparison", {}).get("values", [])
             rows.append(Row(name, [number(level if can else None), can, Link(name, f"data/{name}.html"), one["title"], one["provenance"]["class"],
                                    Link(one["path"], f"data/{one['path']}"), Code(f"stickslip reference show {name}")]))
-            facts = {"Problem": stated(one.get("problem", {}))[1:-1],
+            facts = {"Problem": Code(json.dumps(one["problem"])) if "problem" in one else "",
                      "Columns": [f"{field['name']}{' in ' + field['unit'] if 'unit' in field else ''}: {field['description']}"
                                  for field in one["schema"]["fields"] if not field["name"].endswith("_radius")],
                      "Tolerances": [f"{value['field']}: {value['tolerance']:g} ({value['norm']})" for value in values],
@@ -575,24 +544,6 @@ class Site:
         return [page._replace(group=group) for group, pages in groups.items() for page in pages]
 
 
-def navigation_of(pages):
-    """The links of each group of pages, and those to what is no page of the site.
-
-    >>> navigation_of([Page("a", "A", [], [], [], group="Data"), Page("b", "B", [], [], [], group="Data")])["Data"][1:]
-    [Link(text='B', href='b.html'), Link(text='Tables of the report', href='tables.html')]
-    """
-    groups = {}
-    others = [("Use it", Link("Report (PDF)", "../vv-report.pdf")), ("Data", Link("Tables of the report", "tables.html"))]
-    for group, link in [(page.group, Link(page.title, f"{page.name}.html")) for page in pages if "/" not in page.name] + others:
-        groups.setdefault(group, []).append(link)
-    return groups
-
-
-def kind_of(cell):
-    """How the template shows a cell: the name of its type."""
-    return type(cell).__name__.lower()
-
-
 def index_of(pages):
     """What the search over all pages finds: page, address and words of each page's sentences and of each row.
 
@@ -615,10 +566,15 @@ def write_site(known, templates, data, figures, output):
     pages = site.pages()
     environment = jinja2.Environment(loader=jinja2.FileSystemLoader(FOLDER), autoescape=True, undefined=jinja2.StrictUndefined,
                                      trim_blocks=True, lstrip_blocks=True)
-    environment.tests["kind"] = lambda cell, kind: kind_of(cell) == kind
-    environment.globals |= {"pages": pages, "navigation": navigation_of(pages), "environment": known["environment"], "tests": known["tests"],
+    environment.tests["kind"] = lambda cell, kind: type(cell).__name__.lower() == kind  # as the template shows it
+    navigation = {page.group: [] for page in pages}
+    for page in pages:
+        navigation[page.group] += [Link(page.title, f"{page.name}.html")] if "/" not in page.name else []
+    navigation["Use it"].append(Link("Report (PDF)", "../vv-report.pdf"))
+    navigation["Data"].append(Link("Tables of the report", "tables.html"))
+    environment.globals |= {"navigation": navigation, "environment": known["environment"], "tests": known["tests"],
                             "tested_commit": known["tested_commit"], "provenance": known["provenance"]}
-    environment.filters |= {"breakable": breakable, "referring": lambda text: referring(text, site.drawings)}
+    environment.filters |= {"breakable": breakable}
     shutil.copytree(data / "reference", output / "data")
 
     def write(name, template, **values):

@@ -29,7 +29,8 @@ from selenium.webdriver.common.keys import Keys
 AXE_URL = "https://registry.npmjs.org/axe-core/-/axe-core-4.14.1.tgz"
 AXE_SHA512 = "FHfa+lmNjQZfJz1q8wKqIDwC6DExcHt/pkjNQb09a3NPjCKg2rhu5qb2S4r76ASyFNNtuFooJpZe37OgudVGtQ=="
 # These pages are checked in the browser; the other tables have the same template.
-SHOWN = ("index.html", "verdicts.html", "requirements.html", "claims.html", "figures.html", "numbers.html", "history.html", "tables.html", "source/tests/solver/contact_test.cpp.html")
+SHOWN = ("index.html", "verdicts.html", "requirements.html", "claims.html", "figures.html", "scoreboard.html", "mutants.html", "data/stick-slip-events.html", "history.html",
+         "tables.html", "source/tests/solver/contact_test.cpp.html")
 
 
 def fetch_axe(folder):
@@ -113,14 +114,28 @@ class Site(unittest.TestCase):
         self.assertEqual([row.get_attribute("id") for row in found], ["F8"])
         self.assertEqual(self.browser.find_element(By.ID, "count").text, f"1 of {rows} rows")
 
-    def test_search_over_all_pages_leads_to_the_row(self):
-        for name in (SHOWN[0], SHOWN[-1]):
+    def test_search_over_all_pages_leads_to_sentences_and_rows(self):
+        for name, words, found in ((SHOWN[0], "E6 errATA", "errata.html"), (SHOWN[-1], "which data SET for", "data.html"),
+                                   (SHOWN[1], "undamped-history-70 tolerances", "data/undamped-history-70.html")):
             with self.subTest(name):
                 self.open(name)
-                self.browser.find_element(By.ID, "everywhere").send_keys("beck LOAD")
-                self.assertRegex(self.browser.find_element(By.ID, "hits").text, r"^\d+ rows")
-                self.browser.find_element(By.CSS_SELECTOR, "#found a").click()
-                self.assertIn("load", self.browser.find_element(By.CSS_SELECTOR, "tr:target").text.lower())
+                self.browser.find_element(By.ID, "everywhere").send_keys(words)
+                self.assertRegex(self.browser.find_element(By.ID, "hits").text, r"^\d+ found")
+                self.browser.find_element(By.ID, "everywhere").send_keys(Keys.ENTER)
+                self.assertIn(found, self.browser.current_url)
+
+    def test_groups_lead_to_pages_and_the_matrix_to_its_folded_row(self):
+        self.open("data/stick-slip-events.html")
+        groups = self.browser.find_elements(By.CSS_SELECTOR, "nav summary")
+        self.assertEqual([group.text for group in groups], ["Use it", "Evidence", "Data", "Other codes"])
+        groups[3].click()
+        self.browser.find_element(By.CSS_SELECTOR, "nav [href$='scoreboard.html']").click()
+        self.assertEqual(self.browser.find_elements(By.CSS_SELECTOR, "tr:target"), [])
+        mark = self.browser.find_elements(By.CSS_SELECTOR, ".matrix .use")[-1]
+        code = mark.get_attribute("title").partition(",")[0]
+        mark.click()
+        row = self.browser.find_element(By.CSS_SELECTOR, "tr:target")
+        self.assertTrue(row.is_displayed() and row.text.startswith(code) and "agrees" in row.text, row.text)
 
     def test_each_criterion_leads_to_its_requirement_tests_data_and_command(self):
         self.open("verdicts.html")
@@ -149,12 +164,13 @@ class Site(unittest.TestCase):
         self.open("index.html")
         tabled = self.browser.execute_script(
             "return [...document.querySelectorAll('figure tbody tr')].map(row => [...row.cells].map(cell => cell.textContent))")
-        self.browser.find_element(By.ID, "frequency").send_keys(Keys.HOME)
         figure = self.browser.find_element(By.ID, "limits")
-        for row, move in ((tabled[0], None), (tabled[-1], ActionChains(self.browser).move_to_element_with_offset(figure, figure.size["width"] // 2 - 15, 0))):
-            if move:
-                move.perform()
-            self.assertEqual(self.browser.find_element(By.CSS_SELECTOR, "#reader output").text, f"{row[0]} Hz")
+        slider = self.browser.find_element(By.ID, "frequency")
+        across = round((46 + 3.61 * 38 - 234) / 516 * figure.size["width"])  # 40 Hz, from the middle of the figure
+        for row, move in ((tabled[-1], lambda: slider.send_keys(Keys.END)),
+                          (tabled[3], ActionChains(self.browser).move_to_element_with_offset(figure, across, 0).perform)):
+            move()
+            self.assertEqual(self.browser.find_element(By.CSS_SELECTOR, "figure output").text, f"{row[0]} Hz")
             shown = [one.text.removesuffix(" mm") for one in self.browser.find_elements(By.CSS_SELECTOR, ".legend strong")]
             self.assertEqual([float(one) for one in shown], [float(one) for one in row[1:]])
 
