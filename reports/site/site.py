@@ -249,8 +249,8 @@ class Site:
             margins = [test["worst"]["margin"] for test in tests if test["worst"]]
             failed = sum(not test["passed"] and not test["skipped"] for test in tests)
             rows.append(Row(item["name"], [item["name"], item["text"], item["source"],
-                                           Link(str(len(tests)), f"tests.html?q={item['name']}&column=Requirement"),
-                                           number(failed), rounded_up(max(margins, default=None))]))
+                                           Link(str(len(tests) or "none ran"), f"tests.html?q={item['name']}&column=Requirement"),
+                                           number(failed if tests else None), rounded_up(max(margins, default=None))]))
         return Page("requirements", "Requirements", [
             "What must hold, where it comes from, how many tests serve it, how many of them failed, and their largest margin."],
             ["Requirement", "What must hold", "Where it comes from", "Tests", "Failed", "Largest margin"], rows)
