@@ -13,12 +13,10 @@ stats events using ($5 > 0 ? $5 : NaN) name 'step' nooutput
 array methods[5] = ['generalised-alpha', 'event-driven on finite elements', 'event-driven on held modes', 'generalised-alpha', 'uncertainty of the reference']
 array sizes[5] = [20, 20, 20, 40, 40]
 is_route(k) = strcol(3) eq methods[k] && $4 == sizes[k] && ($5 == 0 || $5 == step_min)
-array largest[10]  # by route and frequency
-do for [k = 1:5] {
-  do for [j = 1:2] {
-    stats events using ($1 == hz[j] && is_route(k) ? $9 : NaN) name 'difference' nooutput
-    largest[2 * k - 2 + j] = difference_max
-  }
+array largest[10]  # of route (i + 1) / 2, at 25 and 70 Hz by turns
+do for [i = 1:10] {
+  stats events using ($1 == hz[2 - i % 2] && is_route((i + 1) / 2) ? $9 : NaN) name 'difference' nooutput
+  largest[i] = difference_max
 }
 unset key
 set multiplot
@@ -26,12 +24,9 @@ set xrange [0:shown]
 set xtics 0.2
 set yrange [-4:6]
 set ytics 2
-set tmargin at screen 0.935
-set bmargin at screen 0.6
 set xlabel 'time t / s' offset 0, 0.4
 do for [j = 1:2] {
-  set lmargin at screen 0.09 + 0.46 * (j - 1)
-  set rmargin at screen 0.52 + 0.46 * (j - 1)
+  set margins screen 0.46 * j - 0.37, screen 0.46 * j + 0.06, screen 0.6, screen 0.935
   set format y (j == 1 ? '%g' : '')
   set title sprintf('%d Hz', hz[j])
   set ylabel (j == 1 ? 'y(L, t) / mm' : '')
@@ -39,25 +34,17 @@ do for [j = 1:2] {
 }
 unset title
 unset ylabel
-set lmargin at screen 0.375
-set rmargin at screen 0.98
-set tmargin at screen 0.4
-set bmargin at screen 0.135
+set margins screen 0.375, screen 0.98, screen 0.135, screen 0.4
 set logscale x
 set xrange [1e-9:2e-5]
 set xtics 10
 set format x '10^{%T}'
 set yrange [5.5:0.5]
 set format y '%g'
-set ytics scale 0
-set ytics ('' 1)
+set ytics scale 0 ('' 1)
 do for [k = 1:5] { set ytics add (methods[k].(k < 5 ? sprintf(', %d', sizes[k]) : '') k) }
 set xlabel 'largest difference of an event time to the reference / s'
 set key at screen 0.67, 0.44 center center vertical maxrows 1 samplen 1
-do for [i = 1:10] {
-  j = 2 - i % 2
-  set label i '' at largest[i], (i + 1) / 2 point pointtype (j == 1 ? 7 : 4) pointsize 0.8 linewidth 1.5 linecolor rgb colours[j] front
-}
-plot NaN with points pointtype 7 pointsize 0.8 linecolor rgb colours[1] title sprintf('%d Hz', hz[1]), \
-     NaN with points pointtype 4 pointsize 0.8 linewidth 1.5 linecolor rgb colours[2] title sprintf('%d Hz', hz[2])
-unset multiplot
+set samples 2
+plot for [i = 1:10] '+' using (largest[i]):((i + 1) / 2) with points pointtype (i % 2 ? 7 : 4) pointsize 0.8 linewidth 1.5 \
+       linecolor rgb colours[2 - i % 2] title (i > 2 ? '' : sprintf('%d Hz', hz[i]))

@@ -12,8 +12,6 @@ set xtics ('0.1' 0.1, '' 1, '10' 10, '' 100, '1000' 1000)
 set xrange [0.05:4e3]
 shown(x) = x > 2e3 ? 2e3 : x
 set yrange [causes - 0.4:-0.6]
-set tmargin at screen 0.88
-set bmargin at screen 0.13
 set label 1 'change of the critical amplitude / %' at screen 0.64, 0.025 center
 set key at screen 0.29, 0.9 right bottom vertical samplen 1.2 spacing 1.1
 set arrow from graph 0, first causes - 1.5 to graph 1, first causes - 1.5 nohead linecolor rgb black linewidth 0.6
@@ -24,8 +22,7 @@ do for [k = 0:panels - 1] {
   eval 'stats [*:*] [*:*] file using 3'.rows."name 'panel' nooutput"
   set title sprintf('%g Hz', panel_min)
   set logscale x
-  set lmargin at screen 0.31 + 0.172 * k
-  set rmargin at screen 0.462 + 0.172 * k
+  set margins screen 0.31 + 0.172 * k, screen 0.462 + 0.172 * k, screen 0.13, screen 0.88
   if (k == 1) { set ytics format ''; unset label 1; unset key }
   dots = 'file using (shown($%d)):($0 + %g)'.rows."with points pointtype %d pointsize 0.7 linewidth 1.5 linecolor rgb %s title '%s'"
   sum = ", '' using 4:($0 + causes - 1):(sprintf('%.0f', $4))".sprintf(' every ::%d::%d ', (k + 1) * causes - 1, (k + 1) * causes - 1).'with labels right offset -1, 0 notitle'

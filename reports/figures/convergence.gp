@@ -8,8 +8,6 @@ steps = folder.'convergence-time.csv'
 set logscale xy
 set format y '10^{%T}'
 set multiplot
-set tmargin at screen 0.92
-set bmargin at screen 0.155
 
 set xrange [0.05:0.6]
 set yrange [1e-9:1]
@@ -18,8 +16,7 @@ set xlabel 'element length / m'
 set key right bottom samplen 1
 do for [state in "stick slip"] {
   left = state eq 'stick' ? 0.105 : 0.365
-  set lmargin at screen left
-  set rmargin at screen left + 0.24
+  set margins screen left, screen left + 0.24, screen 0.155, screen 0.92
   set title sprintf('%s state', state eq 'stick' ? 'Stick' : 'Slip')
   set ylabel (state eq 'stick' ? 'relative error of ω^2' : '')
   set format y (state eq 'stick' ? '10^{%T}' : '')
@@ -30,8 +27,7 @@ do for [state in "stick slip"] {
 }
 
 array radii[4] = [0.0, 0.5, 0.9, 1.0]
-set lmargin at screen 0.715
-set rmargin at screen 0.985
+set margins screen 0.715, screen 0.985, screen 0.155, screen 0.92
 set title 'Reaction force'
 set xrange [1e-3:6e-2]
 set yrange [1e-7:1]
@@ -43,4 +39,3 @@ set key samplen 2
 plot for [k = 1:4] steps using ($1 == radii[k] ? $2 : NaN):5 with linespoints \
        pointtype (k == 4 ? 2 : shapes[k]) pointsize 0.6 linecolor rgb colours[k] linewidth 1.2 \
        title sprintf('ρ_∞ = %g', radii[k])
-unset multiplot

@@ -24,10 +24,9 @@ set grid xtics
 set key above horizontal center samplen 1
 set arrow 1 from 1, graph 0 to 1, graph 1 nohead linecolor rgb black linewidth 0.8 back
 shown(x) = x < 0.2 ? 0.2 : x > 5 ? 5 : x
-scatter(n) = (n * 0.6180339887) - floor(n * 0.6180339887)
-at(row, place, n) = row + (place == 0 ? -0.4 + 0.35 * scatter(n) : 0.05 + 0.35 * scatter(n))
+at(row, n) = row + 0.35 * (n * 0.6180339887 - floor(n * 0.6180339887)) + (column(5) == 0 ? -0.4 : 0.05)
 of(place, x) = column(5) == place ? shown(x) : NaN
 plot file every cases using (1):2:ytic(1) with dots linecolor rgb 'white' notitle, \
-     '' using (of(0, $4)):(at($2, 0, $3)) with points pointtype 6 pointsize 0.25 linecolor rgb '#999999' title 'outside', \
-     '' using (of(1, $4)):(at($2, 1, $3)) with points pointtype 7 pointsize 0.3 linecolor rgb blue title 'in the domain of the margin', \
-     '' using (of(2, $4)):(at($2, 2, $3)) with points pointtype 2 pointsize 0.6 linecolor rgb black linewidth 1.5 title 'at its corners'
+     '' using (of(0, $4)):(at($2, $3)) with points pointtype 6 pointsize 0.25 linecolor rgb '#999999' title 'outside', \
+     '' using (of(1, $4)):(at($2, $3)) with points pointtype 7 pointsize 0.3 linecolor rgb blue title 'in the domain of the margin', \
+     '' using (of(2, $4)):(at($2, $3)) with points pointtype 2 pointsize 0.6 linecolor rgb black linewidth 1.5 title 'at its corners'

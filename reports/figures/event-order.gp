@@ -33,4 +33,3 @@ plot file using ($1 == radius ? $2 : NaN):6 with linespoints linecolor rgb vermi
        pointtype 5 pointsize 0.5, \
      '' using ($1 == radius ? $2 : NaN):5 with linespoints linecolor rgb blue pointtype 7 pointsize 0.5, \
      '' using ($1 == 1 ? $2 : NaN):5 with points linecolor rgb black pointtype 6 pointsize 1.0
-unset multiplot

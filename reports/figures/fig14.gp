@@ -71,4 +71,3 @@ plot $buckling using 1:2:(highest) with filledcurves fillcolor rgb 'white' fills
      $resonance_2 using 1:2 with lines linecolor rgb vermillion linewidth 1.2 dashtype 2 notitle, \
      $criterion using 1:(10**$2) with lines linestyle 1 linewidth 1 title '|f_{max}| = μ_sP', \
      $buckling using 1:2 with lines linecolor rgb black linewidth 2.5 dashtype (3, 3) title 'buckling load'
-unset multiplot

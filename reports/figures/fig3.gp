@@ -61,4 +61,3 @@ do for [i in sprintf('%d %d', slips_min, slips_max)] {
          keyentry with points pointtype 8 pointsize 0.7 linecolor rgb vermillion title 'tip slips'
   }
 }
-unset multiplot

@@ -20,4 +20,3 @@ do for [state = 1:2] {
       using 1:((state == 1 ? 1e4 : 1e7) * (column(column + 1) - column(column))) with linespoints linecolor rgb colours[mode] \
       pointtype shapes[mode] pointsize 0.5 title (state == 2 ? sprintf('mode %d', mode) : '')
 }
-unset multiplot

@@ -36,4 +36,3 @@ set autoscale y
 set ytics autofreq
 plot file using 1:(-force_bound):(force_bound) with filledcurves fillcolor rgb '#DDDDDD', \
      '' using 1:($5 - $4) with lines linecolor rgb vermillion linewidth 0.6
-unset multiplot

@@ -21,10 +21,7 @@ set arrow from highest * natural1, graph 0 to highest * natural1, graph 1 nohead
 set label '← domain of the margin' at highest * natural1 + 1, 3.5 left front
 do for [hz in sprintf('%.1f %.1f %.1f', natural1, natural2, natural3)] {
   set object rectangle from (1 - distance) * hz, graph 0 to (1 + distance) * hz, graph 1 front fillcolor rgb grey fillstyle transparent solid 0.25 noborder
-  if (hz < 157) {
-    set arrow from hz, graph 0 to hz, graph 1 nohead linestyle 3 front
-    set label hz.' Hz' at hz + 1, 14 left front
-  }
+  if (hz < 157) { set arrow from hz, graph 0 to hz, graph 1 nohead linestyle 3 front; set label hz.' Hz' at hz + 1, 14 left front }
 }
 set label 'tip slips' at 52, 3.5 center front
 set label 'tip sticks' at 52, 0.012 center front

@@ -35,4 +35,3 @@ do for [j = 1:3] {
            title 'as usually computed'
   }
 }
-unset multiplot

@@ -23,4 +23,3 @@ set yrange [1e-3:1e1]
 plot file using 2:6 with lines linestyle 1 title 'predicted bound', \
      '' using 2:5 with points linestyle 2 pointtype 7 pointsize 0.6 title 'measured (ratio)', \
      '' using 2:5:(sprintf('%.2f', $5 / $6)) with labels left offset 0.8, -0.1 notitle
-unset multiplot

@@ -19,14 +19,10 @@ set cblabel 'error / tolerance' offset -0.5
 set multiplot
 do for [panel = 0:1] {
   set title (panel ? 'best settings' : 'usual settings')
-  set lmargin at screen (panel ? 0.608 : 0.312)
-  set rmargin at screen (panel ? 0.885 : 0.589)
-  set bmargin at screen 0.215
-  set tmargin at screen 0.92
+  set margins screen 0.312 + 0.296 * panel, screen 0.589 + 0.296 * panel, screen 0.215, screen 0.92
   if (panel) { set colorbox } else { unset colorbox }
   plot file using 4:3:(0.5):(0.5):6 + panel:xtic(word(strcol(1), words(strcol(1)))):ytic(strcol(2)[1:99 * (1 - panel)]) with boxxyerror fillstyle solid \
          linecolor palette, \
        '' using ($5 == 1 ? $4 - 0.25 : NaN):3:(0.5):(0) with vectors nohead linecolor rgb grey linewidth 1, \
        '' using (column(6 + panel) < 0 ? $4 : NaN):3 with points pointtype 7 pointsize 0.25 linecolor rgb black
 }
-unset multiplot

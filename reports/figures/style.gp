@@ -63,7 +63,6 @@ lower = "set tmargin at screen middle - up(0.55); set bmargin at screen below; s
 key_place = 0.5
 upper_key = "set key at screen key_place, 1 - title_share - up(0.3) center top horizontal samplen 1.5 width -0.4 maxrows top_rows"
 lower_key = "set key at screen key_place, up(0.3) center bottom horizontal samplen 1.5 width -0.4 maxrows bottom_rows"
-key_place = 0.5
 if (format eq 'pdf') {
   # This terminal, too, takes fonts at 96 dots per inch and not at 72.
   # Its lines are half as wide as those of the others.

@@ -48,4 +48,3 @@ do for [i = 1:int(panels)] {
   plot file using 1:(low):(rests(column(2 * i)) ? high : low) with filledcurves linecolor rgb stick_fill, \
        '' using 1:(1e3 * column(2 * i)) with lines linestyle 1 linewidth 1.0
 }
-unset multiplot
