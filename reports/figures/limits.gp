@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # The amplitude of the base from which on the tip slips: at a start-up without and with damping, and in steady vibration.
 width = 16
-height = 8.2
+height = 7.5
 load 'style.gp'
 values = folder.'limits-values.csv'
 load 'values.gp'
