@@ -15,7 +15,7 @@ set format y '%g'
 set xtics 20
 unset grid
 set key above horizontal center samplen 3 maxrows 2 width -4
-set margins screen 0.085, screen 0.965, screen 0.115, screen 0.86
+set margins screen 0.095, screen 0.965, screen 0.135, screen 0.85
 set object 1 rectangle from graph 0, graph 0 to graph 1, graph 1 behind fillcolor rgb slip_fill fillstyle solid noborder
 set arrow from highest * natural1, graph 0 to highest * natural1, graph 1 nohead linestyle 3 linewidth 1.2 linecolor rgb black front
 set label '← domain of the margin' at highest * natural1 + 1, 3.5 left front
