@@ -6,8 +6,8 @@
   site.py record VALUES                          adds the run behind VALUES to verification/history.csv
 
 TEMPLATES is the folder of the report's templates, DATA that of the data, VALUES what the studies returned and
-FIGURES the folder with their CSV and PNG files, which lies beside OUTPUT. Each page is a table. The sources of the tests are
-pages as well, so that each test links to its line.
+FIGURES the folder with their CSV and PNG files, which lies beside OUTPUT. Each page but the first is a table. The sources of the tests
+are pages as well, so that each test links to its line.
 """
 
 import csv
@@ -55,7 +55,7 @@ def rounded_up(value, digits=2):
     >>> rounded_up(0.0451), rounded_up(-1.5e-8, 1), rounded_up(None)
     (Number(text='0.046', value=0.0451), Number(text='-2e-08', value=-1.5e-08), '')
     """
-    return "" if value is None else number(float(decimal.Context(digits, decimal.ROUND_UP).create_decimal(repr(float(value)))), digits)._replace(value=value)
+    return "" if value is None else number(float(decimal.Context(digits, decimal.ROUND_UP).create_decimal(repr(float(value)))), digits)._replace(value=float(value))
 
 
 def mark(run, href):
@@ -183,7 +183,7 @@ def breakable(text):
     >>> breakable("a.BigName/b & c")
     Markup('a.<wbr>Big<wbr>Name/<wbr>b &amp; c')
     """
-    return markupsafe.Markup(re.sub(r"(?<=[./_:-])(?=\w)|(?<=[a-z])(?=[A-Z])", "<wbr>", str(markupsafe.escape(text))))
+    return markupsafe.Markup(re.sub(r"(?<=[./_:-])(?=[A-Za-z])|(?<=[a-z])(?=[A-Z])", "<wbr>", str(markupsafe.escape(text))))
 
 
 class Site:
@@ -555,7 +555,7 @@ def index_of(pages):
             return [word for one in cell for word in words_of(one)]
         return [] if isinstance(cell, (Number, Code, Image)) or not cell else [str(getattr(cell, "text", cell))]
 
-    stated = lambda page: [*page.intro, *words_of([[list(row) for row in table.rows] for table in page.tables if not table.kind])]
+    stated = lambda page: [*page.intro, *words_of([[table.columns, *map(list, table.rows)] for table in page.tables if not table.kind])]
     return [[page.title, f"{page.name}.html", "; ".join(stated(page))] for page in pages] + [
         [page.title, f"{page.name}.html#{row.id}", "; ".join(words_of(list(row.cells)))] for page in pages for row in page.rows]
 
