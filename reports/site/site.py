@@ -180,10 +180,10 @@ def limits_of(figures, drawings):
 def breakable(text):
     """A name that may be broken at its dots and capitals, and nowhere else.
 
-    >>> breakable("a.BigName/b & c")
-    Markup('a.<wbr>Big<wbr>Name/<wbr>b &amp; c')
+    >>> breakable("a.BigName/b & 1.5")
+    Markup('a.<wbr>Big<wbr>Name/<wbr>b &amp; 1.5')
     """
-    return markupsafe.Markup(re.sub(r"(?<=[./_:-])(?=[A-Za-z])|(?<=[a-z])(?=[A-Z])", "<wbr>", str(markupsafe.escape(text))))
+    return markupsafe.Markup(re.sub(r"(?<=[/_:-])(?=\w)|(?<=\.)(?=[A-Za-z])|(?<=[a-z])(?=[A-Z])", "<wbr>", str(markupsafe.escape(text))))
 
 
 class Site:
