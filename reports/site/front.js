@@ -8,7 +8,7 @@ function read() {
   const [hz, ...amplitudes] = rows[slider.value];
   slider.nextElementSibling.textContent = `${hz} Hz`;
   slider.setAttribute("aria-valuetext", `${hz} Hz`);
-  document.getElementById("cursor").setAttribute("transform", `translate(${46 + 3.61 * (hz - 2)})`);
+  document.getElementById("cursor").setAttribute("transform", `translate(${46 + 426 * slider.value / slider.max})`);
   document.querySelectorAll(".legend strong").forEach((place, curve) => { place.textContent = `${amplitudes[curve].toPrecision(3)} mm`; });
 }
 

@@ -165,14 +165,17 @@ def limits_of(figures, drawings):
     """The figure of the front page, a box of 426 by 252 at (46, 10), from the table of the report's figure: amplitudes in mm, log axis."""
     read = lambda name: [line.split(",") for line in (figures / name).read_text().splitlines() if not line.startswith("#")][1:]
     rows = [[float(hz), *(float(f"{1e3 * float(one):.4g}") for one in amplitudes)] for hz, *amplitudes in read("limits.csv")]
-    across = lambda hz: round(46 + 3.61 * (hz - 2), 1)
+    first, last = rows[0][0], rows[-1][0]
+    across = lambda hz: round(46 + 426 * (min(hz, last) - first) / (last - first), 1)
     down = lambda mm: round(110.8 - 50.4 * math.log10(max(mm, 1e-3)), 1)
     curves = [(f"curve-{n}", text, " ".join(f"{across(row[0])},{down(row[n])}" for row in rows))
               for n, text in enumerate(("start-up: the criterion", "steady", "start-up, damped", "steady, damped"), 1)]
     alt, caption = next(drawing[3:] for drawing in drawings if drawing[1] == "limits")
-    return {"curves": curves, "rows": rows, "alt": alt, "caption": caption,
-            "natural": [across(float(hz)) for name, hz, _ in read("limits-values.csv") if name.startswith("natural") and float(hz) < rows[-1][0]],
-            "ticks": [(40, down(10.0 ** n), f"{10.0 ** n:g}") for n in range(-3, 3)] + [(across(hz), 262, hz) for hz in range(20, 121, 20)],
+    values = {name: float(value) for name, value, _ in read("limits-values.csv")}
+    natural = [hz for name, hz in values.items() if name.startswith("natural")]
+    bands = [[across(hz * (1 + sign * values["distance"])) for sign in (-1, 1)] for hz in natural]
+    return {"curves": curves, "rows": rows, "alt": alt, "caption": caption, "bands": bands, "natural": [across(hz) for hz in natural if hz < last],
+            "ticks": [(40, down(10.0 ** n), f"{10.0 ** n:g}") for n in range(-3, 3)] + [(across(hz), 262, hz) for hz in range(20, int(last) + 1, 20)],
             "table": Table("Critical amplitude in mm", ["Hz", *(text for _, text, _ in curves)],
                            [[f"{one:.3g}" for one in row] for row in rows if row[0] % 10 == 0])}
 

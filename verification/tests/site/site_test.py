@@ -166,7 +166,7 @@ class Site(unittest.TestCase):
             "return [...document.querySelectorAll('figure tbody tr')].map(row => [...row.cells].map(cell => cell.textContent))")
         figure = self.browser.find_element(By.ID, "limits")
         slider = self.browser.find_element(By.ID, "frequency")
-        across = round((46 + 3.61 * 38 - 234) / 516 * figure.size["width"])  # 40 Hz, from the middle of the figure
+        across = round((46 + 426 * 38 / 155 - 234) / 516 * figure.size["width"])  # 40 Hz, from the middle of the figure
         for row, move in ((tabled[-1], lambda: slider.send_keys(Keys.END)),
                           (tabled[3], ActionChains(self.browser).move_to_element_with_offset(figure, across, 0).perform)):
             move()
