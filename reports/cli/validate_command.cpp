@@ -38,13 +38,12 @@ std::string predictions_now() {
 }
 
 Table bias_table(const std::vector<validation::Bias>& biases) {
-  Table table =
-      table_with("experiment quantity model predicted points resolved zero_outside bias_percent spread_percent");
+  Table table = table_with(
+      "experiment quantity model predicted points resolved zero_outside bias_percent spread_percent");
   for (const auto& one : biases)
     table.rows.push_back({word(one.experiment), word(one.quantity), word(one.form),
-                          word(one.blind ? "blind" : "after"), count(one.points),
-                          count(one.resolved), count(one.beyond), rounded(100.0 * one.mean, 3),
-                          rounded(100.0 * one.spread, 3)});
+                          word(one.blind ? "blind" : "after"), count(one.points), count(one.resolved),
+                          count(one.beyond), rounded(100.0 * one.mean, 3), rounded(100.0 * one.spread, 3)});
   return table;
 }
 

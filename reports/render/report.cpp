@@ -79,7 +79,8 @@ std::vector<std::string> write_report(const ReportOptions& options) {
   const std::string tests = options.tests.empty() ? "[]\n" : read_test_results(options.tests);
   OutputFolder output(options.output);
   const std::filesystem::path values = output.folder() / "studies", site = output.folder() / "site";
-  if (options.only.empty() && std::filesystem::exists(site) && !std::filesystem::exists(site / "verdicts.html"))
+  if (options.only.empty() && std::filesystem::exists(site) &&
+      !std::filesystem::exists(site / "verdicts.html"))
     throw data::InputError(
         fmt::format("{} is not of a report; remove it or name another --output", site.string()));
   Progress progress("stickslip report", Progress::standard_error(options.quiet));

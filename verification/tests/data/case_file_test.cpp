@@ -232,9 +232,9 @@ TEST_F(CaseFile, IsFoundByNameOrPath) {
             "none.toml: cannot be opened for reading");
   EXPECT_TRUE(holds(error_message([] { return data::read_case("/dev/zero"); }),
                     "/dev/zero: is larger than the 1000000"));
-  EXPECT_TRUE(
-      holds(error_message([] { return data::load_case("papr"); }),
-            "case papr is unknown (did you mean paper?), but must be a file or one of contact-leaf, damped, "));
+  EXPECT_TRUE(holds(
+      error_message([] { return data::load_case("papr"); }),
+      "case papr is unknown (did you mean paper?), but must be a file or one of contact-leaf, damped, "));
   const std::string name = file.string().substr(0, file.string().rfind(".toml"));
   EXPECT_TRUE(holds(error_message([&] { return data::find_case(name); }), "(did you mean bar.toml?)"));
 }
