@@ -177,7 +177,7 @@ def limits_of(figures, drawings):
     return {"curves": curves, "rows": rows, "alt": alt, "caption": caption, "bands": bands, "natural": [across(hz) for hz in natural if hz < last],
             "ticks": [(40, down(10.0 ** n), f"{10.0 ** n:g}") for n in range(-3, 3)] + [(across(hz), 262, hz) for hz in range(20, int(last) + 1, 20)],
             "table": Table("Critical amplitude in mm", ["Hz", *(text for _, text, _ in curves)],
-                           [[f"{one:.3g}" for one in row] for row in rows if row[0] % 10 == 0])}
+                           [[f"{one:.3g}" for one in row] for row in rows if row[0] % 10 == 0 or row is rows[-1]])}
 
 
 def breakable(text):
