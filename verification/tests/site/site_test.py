@@ -122,6 +122,13 @@ class Site(unittest.TestCase):
                 self.assertRegex(self.browser.find_element(By.ID, "hits").text, r"^\d+ found")
                 self.browser.find_element(By.ID, "everywhere").send_keys(Keys.ENTER)
                 self.assertIn(found, self.browser.current_url)
+        for name in (SHOWN[0], SHOWN[-1]):
+            with self.subTest(name):
+                self.open(name)
+                self.browser.find_element(By.ID, "everywhere").send_keys("flutter LOAD")
+                row = next(link for link in self.browser.find_elements(By.CSS_SELECTOR, "#found a") if "#" in link.get_attribute("href"))
+                row.click()
+                self.assertIn("load", self.browser.find_element(By.CSS_SELECTOR, "tr:target").text.lower())
 
     def test_groups_lead_to_pages_and_the_matrix_to_its_folded_row(self):
         self.open("data/stick-slip-events.html")

@@ -268,7 +268,11 @@ TEST(ProposedRig, TellsTheDirectionOfTheForce) {
   for (std::size_t i = 0; i < accuracies.size(); ++i)
     EXPECT_NEAR(rig.frequencies.at(i).accuracy, accuracies[i], 0.03 * accuracies[i]);
   EXPECT_NEAR(rig.frequencies.at(4).held, 31e-3, 0.5e-3);  // at 4 N
-  EXPECT_NEAR(rig.onsets.at(0).critical_amplitude / rig.onsets.at(4).critical_amplitude, 15.0, 0.5);  // (b)
+  const std::vector amplitudes{7.84e-3, 4.05e-3, 2.34e-3, 1.08e-3,
+                               0.52e-3, 0.19e-3, 0.21e-3, 0.18e-3};  // (b)
+  for (std::size_t i = 0; i < amplitudes.size(); ++i)
+    EXPECT_NEAR(rig.onsets.at(i).critical_amplitude, amplitudes[i], 5.1e-6);
+  EXPECT_NEAR(rig.onsets.at(0).critical_amplitude / rig.onsets.at(4).critical_amplitude, 15.0, 0.5);
 }
 
 }  // namespace
