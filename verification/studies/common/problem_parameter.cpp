@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "studies/common/problem_parameter.hpp"
 
+#include <cmath>
+
 #include "stickslip/analytic/stick_reaction.hpp"
 
 namespace stickslip::studies {
@@ -16,6 +18,10 @@ double friction_limit(const data::Case& problem) {
 bool is_a_factor(const data::Case& problem, std::string_view key) {
   return data::key_named(key).effects.is_a_factor ||
          (key == "excitation.scale" && analytic::is_proportional_to_scale(problem));
+}
+
+double tip_stiffness(const data::Beam& beam) {
+  return 3.0 * beam.youngs_modulus() * beam.second_moment_of_area() / std::pow(beam.length(), 3);
 }
 
 data::Beam with_shear(const data::Beam& beam) {

@@ -26,6 +26,9 @@ constexpr double shear_flexibility = 3.12;
 [[nodiscard]] data::Beam with_shear(const data::Beam& beam);
 [[nodiscard]] data::Beam without_shear(const data::Beam& beam);
 
+/// The force at the tip of a cantilever over its deflection, 3 E I/L³, N/m.
+[[nodiscard]] double tip_stiffness(const data::Beam& beam);
+
 /// What wall.speed must be for them, and why, as the end of an error message.
 inline constexpr std::string_view resting_wall =
     "0 here: a wall that moves bends the beam until it slips; respond (by finite elements or event-driven), "

@@ -31,15 +31,13 @@ AmplitudeLimits amplitude_limits(const data::Case& paper, const data::Case& damp
   const data::Beam& beam = paper.beam();
   const int modes = paper.numerics.modes();
   const double friction = friction_limit(paper), duration = paper.numerics.duration();
-  const double tip_stiffness =
-      3.0 * beam.youngs_modulus() * beam.second_moment_of_area() / std::pow(beam.length(), 3);
   const auto reaction = analytic::modal_reaction(beam, modes);
   const auto sheared = analytic::modal_reaction(with_shear(beam), modes);
   const auto fixed = analytic::modal_reaction(with_value(paper, "beam.axial_direction", 1.0).beam(), modes);
   const auto decaying =
       analytic::damped_reaction(analytic::HeldBeam(beam, damped.damping, modes).structure());
   const auto compliant = analytic::compliant_reaction(analytic::HeldBeam(beam, {}, modes).structure(),
-                                                      study.contact_stiffness * tip_stiffness);
+                                                      study.contact_stiffness * tip_stiffness(beam));
   study.limits.resize(frequencies_hz.size());
   in_parallel(frequencies_hz.size(), [&](std::size_t i) {
     const data::HarmonicExcitation unit({.frequency_hz = frequencies_hz[i], .amplitude = 1.0});

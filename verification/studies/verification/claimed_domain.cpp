@@ -142,8 +142,6 @@ DomainCase domain_case(const data::Case& paper, int index) {
   const data::Case problem = problem_of(paper, one);
   const data::Beam& beam = problem.beam();
   const int modes = problem.numerics.modes();
-  const double tip_stiffness =
-      3.0 * beam.youngs_modulus() * beam.second_moment_of_area() / std::pow(beam.length(), 3);
   one.distance = 1.0;
   for (const auto& mode : analytic::stick_modes(beam, modes))
     one.distance =
@@ -159,14 +157,14 @@ DomainCase domain_case(const data::Case& paper, int index) {
   one.damping_change = critical_amplitude(with_value(problem, "damping.ratio", one.damping)) / limit - 1.0;
   const analytic::HeldBeam held(beam, {}, modes);
   one.contact_change =
-      critical_amplitude(
-          problem, analytic::compliant_reaction(held.structure(), one.contact_stiffness * tip_stiffness)) /
+      critical_amplitude(problem, analytic::compliant_reaction(held.structure(),
+                                                               one.contact_stiffness * tip_stiffness(beam))) /
           critical_amplitude(problem,
                              analytic::damped_reaction(held.structure(), analytic::SteadyPart::exact)) -
       1.0;
   const double draw_back =
       held_bending(problem).value().draw_back * std::pow(limit / problem.excitation().amplitude(), 2);
-  one.draw_back = with_draw_back(one.spring * tip_stiffness * draw_back / beam.axial_force()) - 1.0;
+  one.draw_back = with_draw_back(one.spring * tip_stiffness(beam) * draw_back / beam.axial_force()) - 1.0;
   return one;
 }
 

@@ -93,8 +93,7 @@ std::optional<double> unit_force(const data::Case& problem, const ModelVariant& 
         .max_abs_friction_force(duration, bound_width)
         .midpoint();
   }
-  const double stiffness = variant.stiffness_ratio * 3.0 * beam.youngs_modulus() *
-                           beam.second_moment_of_area() / std::pow(beam.length(), 3);
+  const double stiffness = variant.stiffness_ratio * tip_stiffness(beam);
   try {
     const analytic::DampedReaction reaction =
         std::isfinite(stiffness)

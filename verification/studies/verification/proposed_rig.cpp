@@ -13,7 +13,6 @@ ProposedRig proposed_rig(const std::string& name) {
   ProposedRig rig;
   const data::Case problem = data::load_case(name);
   data::BeamProperties beam = problem.beam().properties();
-  const double rigidity = beam.youngs_modulus * beam.second_moment_of_area;
   for (const double length : {0.3, 0.4})
     for (const double load : {0.5, 1.0, 2.0, 3.0, 4.0}) {
       beam.length = length;
@@ -25,7 +24,7 @@ ProposedRig proposed_rig(const std::string& name) {
       const double following = first_hz(0.0), fixed = first_hz(1.0);
       rig.frequencies.push_back(
           {length, load, following, fixed, std::abs(following - fixed) / (2.0 * (following + fixed)),
-           problem.contact.friction.static_coefficient() * load * std::pow(length, 3) / (3.0 * rigidity)});
+           problem.contact.friction.static_coefficient() * load / tip_stiffness(data::Beam(beam))});
     }
   for (const double hz : {10.0, 15.0, 20.0, 25.0, 30.0, 35.0, 60.0, 80.0}) {
     const data::Case at_hz = with_value(problem, "excitation.frequency_hz", hz);
